@@ -106,21 +106,18 @@ std::vector<std::string> disk_texts(const View& view, const CamFileOptions& opti
     const auto table = [&](int side) {
         return profile_csv(view, profile_rows(view.solution, view.delivered, sampling, side));
     };
-    const ProfileShape whole = delivered_shape(view).value();
-    std::vector<std::string> texts = {table(0), profile_svg(whole, view.title("Cam")),
-                                      cam_diagrams_svg(view)};
-    if (whole.other) texts.push_back(table(1));
+    std::vector<std::string> texts = {table(0), cam_svg(view), cam_diagrams_svg(view)};
+    if (view.delivered.cam->cam().formulas->stations() > 1) texts.push_back(table(1));
     return texts;
 }
 
 std::vector<std::string> guide_texts(const View& view, const CamFileOptions& options) {
     const auto left = counted_rows(view, options, left_wall), right = counted_rows(view, options, right_wall);
-    return {guide_csv(view, left, right), guide_svg(view, left, right),
-            cam_diagrams_svg(view, "pressure_angle")};
+    return {guide_csv(view, left, right), cam_svg(view), cam_diagrams_svg(view, "pressure_angle")};
 }
 
 std::vector<std::string> linkage_texts(const View& view, const CamFileOptions& options) {
-    return {profile_csv(view, counted_rows(view, options, 0)), mechanism_svg(view),
+    return {profile_csv(view, counted_rows(view, options, 0)), cam_svg(view),
             cam_diagrams_svg(view, "pressure_angle"), cam_diagrams_svg(view, "curvature")};
 }
 

@@ -54,8 +54,8 @@ constexpr double tick_font = 11, tick_gap = 7, title_ascent = 12;  // px
 
 }  // namespace
 
-std::string svg_number(double value) {
-    std::string text = fmt::format("{:.2f}", value);
+std::string svg_number(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text == "-0" ? "0" : text;

@@ -37,8 +37,8 @@ class SvgCanvas {
     std::string content_;
 };
 
-/// A coordinate: a hundredth of a pixel is exact enough.
-[[nodiscard]] std::string svg_number(double value);
+/// A coordinate, without zeros at its end: a hundredth of a pixel is exact enough.
+[[nodiscard]] std::string svg_number(double value, int decimals = 2);
 
 /// px: no line of text of this size is wider; of DejaVu Sans, a little more.
 [[nodiscard]] double text_width(std::string_view words, double font_size, bool bold = false);

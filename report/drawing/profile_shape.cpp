@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/drawing/profile_shape.hpp"
 
+#include <Eigen/Geometry>
+
 namespace camopt {
 
 namespace {
@@ -8,7 +10,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double from_inside = 1e-9;  // of a piece's length: its ends are looked at from this far inside
-constexpr double same_end = 1e-9;     // of the base radius: two points of the cam are one
+constexpr double same_end = 1e-9;     // of the cam's radius there: two points of the cam are one
 constexpr int rim_samples = 1440;
 constexpr int cusp_samples = 720;    // angles searched for sign changes of the regularity
 constexpr int cusp_bisections = 60;  // down to neighbouring numbers
@@ -20,13 +22,12 @@ double crossing(const ProfileShape& shape, double left, double right) {
     return 0.5 * (border.with + border.without);
 }
 
-Vector2d in_cam_frame(const DrivenMechanism& cam, const Vector2d& fixed, double theta) {
-    const double turn = sense_of(cam.formulas->rotation()) * theta;
-    const double c = std::cos(turn), s = std::sin(turn);
-    return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x()};
-}
-
 }  // namespace
+
+Vector2d ProfileShape::turned_back(const Vector2d& fixed, double theta) const {
+    const Vector2d center = parts(theta).front().points.front();
+    return center + Eigen::Rotation2Dd(-formulas().turned(state(theta))) * (fixed - center);
+}
 
 ProfileShape other_side(const ProfileShape& shape) {
     ProfileShape side = shape;
@@ -72,17 +73,29 @@ ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points) {
     };
     shape.at = points_of(0);
     if (shape.formulas().stations() > 1) shape.other = points_of(1);
-    const Vector2d gap = in_plane(shape.at(shape.end()).contact - shape.at(shape.begin()).contact);
-    shape.closed = is_whole_turn(shape.end() - shape.begin()) && gap.norm() < same_end * shape.base_radius();
+    shape.output = [points, unit_angle](double theta) {
+        return state_of(points->motion_at(theta / unit_angle), points->scale());
+    };
+    const MechanismPoint end = shape.at(shape.end());
+    const Vector2d gap = in_plane(end.contact - shape.at(shape.begin()).contact);
+    shape.closed = !shape.formulas().has_guide() && is_whole_turn(shape.end() - shape.begin()) &&
+                   gap.norm() < same_end * end.contact.norm();
+    return shape;
+}
+
+std::optional<ProfileShape> plane_shape(const View& view) {
+    if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_plane_curve()) return std::nullopt;
+    ProfileShape shape = profile_shape(view.delivered.cam);
+    if (view.solution.scene.cam) shape.face_half_width = view.solution.scene.cam->face_half_width;
+    if (!shape.formulas().is_direct()) shape.least_radius = view.solution.cam->summary.base_radius;
+    if (!shape.closed && !shape.formulas().has_guide()) shape.open_because = open_because(view.solution);
+    shape.length = view.units.length;
     return shape;
 }
 
 std::optional<ProfileShape> delivered_shape(const View& view) {
-    if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_direct()) return std::nullopt;
-    ProfileShape shape = profile_shape(view.delivered.cam);
-    shape.face_half_width = view.solution.scene.cam->face_half_width;
-    if (!shape.closed) shape.open_because = open_because(view.solution);
-    shape.length = view.units.length;
+    std::optional<ProfileShape> shape = plane_shape(view);
+    if (shape && !shape->formulas().is_direct()) shape.reset();
     return shape;
 }
 
@@ -107,17 +120,6 @@ std::vector<double> cusp_angles(const ProfileShape& shape) {
             if ((piece[k - 1].regularity > 0.0) != (piece[k].regularity > 0.0))
                 angles.push_back(crossing(shape, piece[k - 1].theta, piece[k].theta));
     return angles;
-}
-
-FollowerPose follower_pose(const DrivenMechanism& cam, const MechanismPoint& point) {
-    FollowerPose pose;
-    pose.lift = in_cam_frame(cam, {0.0, 1.0}, point.theta);
-    const std::optional<Vector2d> pivot = cam.formulas->arm_pivot(cam.dimensions);
-    if (!pivot) return pose;
-    pose.pivot = in_cam_frame(cam, *pivot, point.theta);
-    const Vector2d normal = in_plane(point.normal), contact = in_plane(point.contact);
-    pose.foot = pose.pivot - normal * normal.dot(pose.pivot - contact);
-    return pose;
 }
 
 }  // namespace camopt

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A whole cam that its follower touches itself (CamMechanism::is_direct) as a function of the cam angle: what
-// drawings are made from. SI units; signs as in scene/cam_mechanism.hpp.
+// A whole plane cam as a function of the cam angle: what drawings are made from. SI units; signs as in
+// scene/cam_mechanism.hpp.
 //
-// Cam frame: the cam's centre is the origin. At θ = 0 it is the frame that stands still, in which a pushed
-// follower rises along +y; it turns with the cam, by σθ about +z. All points lie at z = 0.
+// Cam frame: the cam's centre is the origin. At θ = 0 a disk cam's is the frame that stands still, in which a
+// pushed follower rises along +y; it turns with the cam, by σθ about +z. All points lie at z = 0.
 #pragma once
 
 #include "report/view/view.hpp"
@@ -15,19 +15,24 @@ struct ProfileShape {
     std::function<MechanismPoint(double theta)> at;  ///< of station 0
     /// Of station 1, the other side of a cam that drives both ways; empty: there is none.
     std::function<MechanismPoint(double theta)> other = {};
+    std::function<FollowerState(double theta)> output;  ///< what the cam moves, there
     std::vector<double> knots;  ///< θ where the motion changes its formula, begin and end included; ascending
     bool closed = true;         ///< the end of the cam is its beginning; false: it is open
     double start = 0.0;         ///< θ where the motion begins: dwell may lie before it
     std::string open_because = {};  ///< what is missing where it is open; empty: nothing is said of it
     /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
     std::optional<double> face_half_width = {};
-    ShownUnit length = unit_named<"mm">;  ///< in which its drawings are labelled
+    std::optional<double> least_radius = {};  ///< m: of a cam whose base radius is no dimension
+    ShownUnit length = unit_named<"mm">;      ///< in which its drawings are labelled
 
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }
 
     [[nodiscard]] const CamMechanism& formulas() const { return *cam.formulas; }
-    [[nodiscard]] double base_radius() const { return cam.formulas->base_radius(cam.dimensions).value(); }
+    /// Of a plane cam; of one that does not touch its follower itself, of the outline (plane_shape).
+    [[nodiscard]] double base_radius() const {
+        return least_radius ? *least_radius : cam.formulas->base_radius(cam.dimensions).value();
+    }
     [[nodiscard]] bool has_roller() const { return cam.formulas->roller_radius() >= 0; }
     /// Of the roller at a station, m; 0: there is none.
     [[nodiscard]] double roller_radius(int station = 0) const {
@@ -36,11 +41,19 @@ struct ProfileShape {
     }
     [[nodiscard]] double prime_radius() const { return base_radius() + roller_radius(); }
     /// The follower touches with a flat face, on an arm or pushed straight.
-    [[nodiscard]] bool has_face() const { return !cam.formulas->has_pitch_curve(); }
+    [[nodiscard]] bool has_face() const { return formulas().planar() && !formulas().has_pitch_curve(); }
     [[nodiscard]] bool has_pushed_face() const { return has_face() && !cam.formulas->swings(); }
     [[nodiscard]] bool is_grooved() const { return cam.formulas->groove_wall(cam.dimensions).has_value(); }
     /// Its two sides are disks on one shaft.
-    [[nodiscard]] bool has_two_disks() const { return other && !is_grooved(); }
+    [[nodiscard]] bool has_two_disks() const { return other && !is_grooved() && formulas().is_direct(); }
+
+    [[nodiscard]] MechanismState state(double theta) const { return {cam.dimensions, output(theta), theta}; }
+    /// The parts of the mechanism in the frame that stands still.
+    [[nodiscard]] std::vector<MechanismShape> parts(double theta) const {
+        return formulas().shapes(state(theta));
+    }
+    /// A point that stands still, in the cam frame turned by θ, whose centre stays where it is.
+    [[nodiscard]] Eigen::Vector2d turned_back(const Eigen::Vector2d& fixed, double theta) const;
 };
 
 /// x and y of a point or a direction of a plane cam.
@@ -65,8 +78,9 @@ struct ProfileShape {
     return profile_shape(std::make_shared<CamPoints>(cam, motion, scale));
 }
 
-/// Of the delivered cam along its drawn motion; none: the solution has no cam that its follower touches
-/// itself.
+/// Of a solution's plane cam along its drawn motion; none: there is no plane cam.
+[[nodiscard]] std::optional<ProfileShape> plane_shape(const View& view);
+/// The same; none too where the cam does not touch its follower itself (CamMechanism::is_direct).
 [[nodiscard]] std::optional<ProfileShape> delivered_shape(const View& view);
 
 /// `steps` angles or more, evenly over the shape, with every knot seen from inside its two neighbours:
@@ -75,14 +89,5 @@ struct ProfileShape {
 
 /// Where the cam is about to undercut: θ of each sign change of the regularity, ascending.
 [[nodiscard]] std::vector<double> cusp_angles(const ProfileShape& shape);
-
-/// Where the follower stands in the cam frame.
-struct FollowerPose {
-    Eigen::Vector2d lift = {0.0, 1.0};   ///< pushed straight: unit direction of the lift
-    Eigen::Vector2d pivot = {0.0, 0.0};  ///< on an arm
-    Eigen::Vector2d foot = {0.0, 0.0};   ///< a face on an arm: foot of the perpendicular from pivot to face
-};
-
-[[nodiscard]] FollowerPose follower_pose(const DrivenMechanism& cam, const MechanismPoint& point);
 
 }  // namespace camopt

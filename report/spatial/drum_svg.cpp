@@ -20,13 +20,20 @@ constexpr double longest_bar = 180;                    // px
 constexpr std::array<int, 3> core_colour = {150, 160, 172}, flank_colour = {226, 164, 84},
                              roller_colour = {96, 142, 198};
 
-const char* const drum_style =
-    ".hub{stroke:#96a0ac;stroke-width:9}.rib{stroke:#e2a454;stroke-width:9}.rollers{stroke:#608ec6;stroke-"
-    "width:9}.bar{stroke:#222;stroke-width:1.6}.plus{fill:none;stroke:#0072b2;stroke-width:2}.minus{fill:"
-    "none;stroke:#d55e00;stroke-width:2}.deep{stroke-dasharray:6 "
-    "4;stroke-width:1.4}.axis{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 "
-    "4}.turned{stroke:#c4c4c4;stroke-width:1}.peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}.peak-label{"
-    "font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px}";
+constexpr std::array<PictureStyle, 11> drum_styles = {
+    {{"hub", "stroke:#96a0ac;stroke-width:9"},
+     {"rib", "stroke:#e2a454;stroke-width:9"},
+     {"rollers", "stroke:#608ec6;stroke-width:9"},
+     {"bar", "stroke:#222;stroke-width:1.6"},
+     {"turned", "stroke:#c4c4c4;stroke-width:1"},
+     {"plus", "fill:none;stroke:#0072b2;stroke-width:2"},
+     {"plus-deep", "fill:none;stroke:#0072b2;stroke-width:1.4;stroke-dasharray:6 4"},
+     {"minus", "fill:none;stroke:#d55e00;stroke-width:2"},
+     {"minus-deep", "fill:none;stroke:#d55e00;stroke-width:1.4;stroke-dasharray:6 4"},
+     {"axis", "fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4"},
+     {"peak", "fill:#0072b2;stroke:#fff;stroke-width:1.5"}}};
+constexpr const char* peak_style =
+    ".peak-label{font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px}";
 
 FlankGrid drum_grid(const CamFlanks& cam, const FollowerMotion& motion, int sections) {
     return flank_grid(cam, motion, {sections, drum_angles, 0.0, 0.0});
@@ -158,7 +165,7 @@ MeshView drum_view(const CamFlanks& cam) {
 
 std::string drum_svg(const Drum& drum) {
     const ShownUnit length = shown_units(drum.solution.scene).length;
-    SvgCanvas canvas = new_picture(drum_style, title_of_drum(drum));
+    SvgCanvas canvas = new_picture(css_of(drum_styles), title_of_drum(drum));
     canvas.rectangle(picture_left, picture_top, picture_frame_width, picture_frame_height, "frame");
     MeshView view = drum_view(drum.cam);
     view.width = picture_frame_width - 40;
@@ -171,11 +178,14 @@ std::string drum_svg(const Drum& drum) {
     canvas.text(picture_left + picture_frame_width - 10, picture_top + picture_frame_height - 12,
                 "parallel projection, cam angle 0", "end");
     const bool ribs = indexes(drum.cam, drum.motion);
-    LegendColumn column(canvas, length, 8 + figure_entries(drum.solution));
+    LegendColumn column(canvas, 8 + figure_entries(drum.solution));
     if (!ribs) column.sample("hub", "core");
     column.sample("rib", ribs ? "cam" : "both flanks of the groove");
     if (ribs) column.sample("rollers", "rollers that hold its rib");
-    add_figures(column, drum.solution, fmt::format("turns {}", name_of(drum.cam.rotation)));
+    column.heading("dimensions");
+    add_dimensions(column, drum.solution);
+    column.words(fmt::format("turns {}", name_of(drum.cam.rotation)));
+    add_figures(column, drum.solution);
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }
@@ -200,60 +210,53 @@ std::string developed_svg(const Drum& drum) {
     std::vector<Vector3d> axis;
     for (std::size_t k = 0; k < count; ++k) axis.emplace_back(axis_point(k, 0.5));
     const std::vector<Vector2d> middle = developed_line(axis, radius, from, sense);
-    struct Edge {
-        std::vector<Vector2d> line;
-        const char* css_class;
-    };
-    std::vector<Edge> edges;
-    PictureBox box;
+    Drawing drawing;
     for (std::size_t flank = 0; flank < 2; ++flank)
         for (std::size_t section = 0; section < 2; ++section) {
             const std::vector<Vector3d>& points = grid.flanks[flank].points;
             const std::vector<Vector3d> row(
                 points.begin() + static_cast<std::ptrdiff_t>(section * count),
                 points.begin() + static_cast<std::ptrdiff_t>((section + 1) * count));
-            const bool deep = section != outer;
-            edges.push_back({developed_line(row, radius, from, sense),
-                             flank == 0 ? (deep ? "plus deep" : "plus") : (deep ? "minus deep" : "minus")});
-            for (const Vector2d& point : edges.back().line) box.add(point);
+            drawing.polyline(std::string(flank == 0 ? "plus" : "minus") + (section != outer ? "-deep" : ""),
+                             developed_line(row, radius, from, sense));
         }
-    box.add({0.0, box.least.y()});
-    box.add({radius * units::turn, box.most.y()});
+    DrawingBox box = drawing.box();
+    for (const double x : {0.0, radius * units::turn}) box.add({x, box.least.y()});
 
-    SvgCanvas canvas = new_picture(drum_style, title_of_drum(drum));
-    const ProfileCanvas on = fitted_canvas(canvas, box.with_room());
-    draw_length_frame(on, length,
+    SvgCanvas canvas = new_picture(css_of(drum_styles) + peak_style, title_of_drum(drum));
+    const PicturePlace place = fitted_place(box);
+    draw_length_frame(canvas, place, length,
                       fmt::format("around the drum at a radius of {}, along its axis: {}",
                                   length.text(radius, 5), length.name));
     for (int angle = 0; angle <= 360; angle += 60) {
-        const double x = on.place({radius * angle * degree, 0.0}).x();
+        const double x = place({radius * angle * degree, 0.0}).x();
         canvas.line(x, picture_top, x, picture_top + picture_frame_height, "turned");
         canvas.text(x, picture_top + 14, fmt::format("{}°", angle), "tick middle");
     }
-    for (const Edge& edge : edges) on.polyline(edge.line, false, edge.css_class);
-    on.polyline(middle, false, "axis");
+    drawing.polyline("axis", middle);
     const CamExtreme& largest = drum.solution.cam->summary.pressure_angle;
     const double theta = drum.solution.scene.motion.unit_angle() * largest.at;
     const auto nearest = static_cast<std::size_t>(
         std::ranges::min_element(grid.angles, {}, [&](double angle) { return std::abs(angle - theta); }) -
         grid.angles.begin());
-    const Vector2d peak = on.place(middle[nearest]);
-    canvas.circle(peak.x(), peak.y(), 4, "peak");
-    PlacedTexts labels(picture_left + 4, picture_top + 22, picture_left + picture_frame_width - 4,
-                       picture_top + picture_frame_height - 4);
-    const std::vector<TextPlace> places = {{peak.x() + 9, peak.y() + 4, TextSide::start},
-                                           {peak.x() - 9, peak.y() + 4, TextSide::end},
-                                           {peak.x(), peak.y() - 12, TextSide::middle}};
-    labels.draw(canvas,
-                fmt::format("φ = {}° at {}°", short_text(degrees_shown.of(largest.value), 4),
-                            short_text(degrees_shown.of(theta), 5)),
-                places, "peak-label", 12, true);
-    LegendColumn column(canvas, length, 9 + figure_entries(drum.solution));
+    drawing.circle("peak", middle[nearest], place.px(4));
+    draw(canvas, drawing, place, drum_styles);
+    const std::string words = fmt::format("φ = {}° at {}°", short_text(degrees_shown.of(largest.value), 4),
+                                          short_text(degrees_shown.of(theta), 5));
+    constexpr double font = 12;
+    const Vector2d peak = place(middle[nearest]);
+    PlacedTexts labels = labels_of(
+        drawing, place, std::array<std::string_view, 5>{"plus", "plus-deep", "minus", "minus-deep", "axis"});
+    labels.draw(canvas, words, places_around(peak.x(), peak.y(), text_width(words, font, true), font),
+                "peak-label", font, true);
+    LegendColumn column(canvas, 9 + figure_entries(drum.solution));
     column.sample("plus", "one flank, outer end");
-    column.sample("plus deep", "at the inner end");
+    column.sample("plus-deep", "at the inner end");
     column.sample("minus", "other flank, outer end");
-    column.sample("minus deep", "at the inner end");
+    column.sample("minus-deep", "at the inner end");
     column.sample("axis", "way of the roller's axis");
+    column.heading("dimensions");
+    add_dimensions(column, drum.solution);
     add_figures(column, drum.solution);
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();

@@ -9,9 +9,7 @@
 // Computer-Aided Design 7 (1975).
 #pragma once
 
-#include "core/base/standard.hpp"
-
-#include <Eigen/Core>
+#include "report/drawing/drawing.hpp"
 
 namespace camopt {
 
@@ -20,13 +18,6 @@ struct CurvePoint {
     Eigen::Vector2d position, normal;
 };
 using PlaneCurve = std::function<CurvePoint(double parameter)>;
-
-/// A point of the chain and the arc from it to the next one: bulge = tan(angle / 4), > 0 turns to the left,
-/// 0 is a straight line.
-struct ArcVertex {
-    Eigen::Vector2d position;
-    double bulge = 0.0;
-};
 
 struct ArcChainOptions {
     double tolerance = 1e-6;             ///< m, > 0: the largest deviation wanted

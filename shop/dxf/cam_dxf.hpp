@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// profile.dxf of a delivered plane cam of any kind, as arcs within a tolerance (arc_chain.hpp); mm.
+// profile.dxf of a delivered plane cam of any kind: what report/drawing/plane_cam.hpp draws of it, as arcs
+// within a tolerance (arc_chain.hpp), in layers; mm.
 //
-//   disk     profile_dxf()
-//   remote   layers CAM, PITCH (roller centre), ROLLER (where the motion begins), AXES; cam frame, the cam's
-//            centre at the origin
-//   inverse  layers WALLS (both of the slot), PITCH, ROLLER, AXES; frame of the body, its pivot at the origin
+//   disk     CAM, PITCH (roller centre), BASE_CIRCLE, PRIME_CIRCLE, ROLLER, FACE (flat face), AXES
+//   remote   CAM, PITCH, ROLLER, AXES
+//   inverse  WALLS (both of the slot), PITCH, ROLLER, AXES; frame of the body, its pivot at the origin
+//
+// Those that are used. Cam frame (report/drawing/profile_shape.hpp), the cam's centre at the origin; the
+// follower where the motion begins.
 #pragma once
 
 #include "report/document/run_origin.hpp"
@@ -13,9 +16,6 @@
 
 namespace camopt {
 
-// profile.dxf: the cam for CAD and CAM systems, as arcs within a tolerance. Layers CAM, PITCH (roller
-// centre), BASE_CIRCLE, PRIME_CIRCLE, ROLLER, FACE (flat face), AXES; the follower where the motion begins;
-// mm; the cam's centre at the origin, cam frame of report/drawing/profile_shape.hpp.
 struct ProfileDxf {
     std::string text;
     int arcs = 0;            ///< of the cam's outline

@@ -1,168 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "shop/dxf/dxf_drawing.hpp"
 
+#include "core/text/printable.hpp"
 #include "report/view/shown_units.hpp"
 
 #include <fmt/ranges.h>
 
 namespace camopt {
 
-void DxfDrawing::begin_entity(const char* type, std::string_view layer, const char* subclass) {
-    append_tag(entities_, 0, type);
-    append_tag(entities_, 5, dxf_handle(dxf_first_entity + entity_count_++));
-    append_tag(entities_, 330, dxf_handle(owner_ == 0 ? dxf_model_space : owner_));
-    append_tag(entities_, 100, "AcDbEntity");
-    append_tag(entities_, 8, layer);
-    append_tag(entities_, 100, subclass);
-}
-
-void DxfDrawing::point(int code, const Eigen::Vector2d& place) {
-    append_tag(entities_, code, dxf_real(millimetres_shown.of(place.x())));
-    append_tag(entities_, code + 10, dxf_real(millimetres_shown.of(place.y())));
-}
-
-void DxfDrawing::widen(const Eigen::Vector2d& place, double reach) {
-    if (!place.allFinite() || !std::isfinite(reach))
-        throw InputError("a DXF drawing takes finite points only, and one is not");
-    const Eigen::Vector2d middle = place / millimetres_shown.size;
-    const Eigen::Vector2d size = Eigen::Vector2d::Constant(millimetres_shown.of(reach));
-    const bool first = entity_count_ == 0;
-    least_ = first ? Eigen::Vector2d(middle - size) : Eigen::Vector2d(least_.cwiseMin(middle - size));
-    most_ = first ? Eigen::Vector2d(middle + size) : Eigen::Vector2d(most_.cwiseMax(middle + size));
-}
-
-void DxfDrawing::polyline(std::string_view layer, std::span<const ArcVertex> vertices, bool closed) {
-    for (const ArcVertex& vertex : vertices) widen(vertex.position);
-    begin_entity("LWPOLYLINE", layer, "AcDbPolyline");
-    append_tag(entities_, 90, std::to_string(vertices.size()));
-    append_tag(entities_, 70, closed ? "1" : "0");
-    append_tag(entities_, 43, dxf_real(0.0));
-    for (const ArcVertex& vertex : vertices) {
-        point(10, vertex.position);
-        append_tag(entities_, 42, dxf_real(vertex.bulge));
-    }
-}
-
-void DxfDrawing::circle(std::string_view layer, const Eigen::Vector2d& center, double radius) {
-    widen(center, radius);
-    begin_entity("CIRCLE", layer, "AcDbCircle");
-    point(10, center);
-    append_tag(entities_, 30, dxf_real(0.0));
-    append_tag(entities_, 40, dxf_real(millimetres_shown.of(radius)));
-}
-
-void DxfDrawing::line(std::string_view layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-    widen(from);
-    widen(to);
-    begin_entity("LINE", layer, "AcDbLine");
-    point(10, from);
-    append_tag(entities_, 30, dxf_real(0.0));
-    point(11, to);
-    append_tag(entities_, 31, dxf_real(0.0));
-}
-
-void DxfDrawing::text(std::string_view layer, const DxfText& words) {
-    widen(words.at);
-    begin_entity("TEXT", layer, "AcDbText");
-    point(10, words.at);
-    append_tag(entities_, 30, dxf_real(0.0));
-    append_tag(entities_, 40, dxf_real(millimetres_shown.of(words.height)));
-    append_tag(entities_, 1, dxf_text(words.words));
-    append_tag(entities_, 50, dxf_real(degrees_shown.of(words.turn)));
-    if (words.anchor != DxfText::Anchor::start) {
-        append_tag(entities_, 72, words.anchor == DxfText::Anchor::middle ? "1" : "2");
-        point(11, words.at);
-        append_tag(entities_, 31, dxf_real(0.0));
-    }
-    append_tag(entities_, 100, "AcDbText");
-}
-
-void DxfDrawing::triangle(std::string_view layer, const std::array<Eigen::Vector2d, 3>& corners) {
-    for (const Eigen::Vector2d& corner : corners) widen(corner);
-    begin_entity("SOLID", layer, "AcDbTrace");
-    for (int i = 0; i < 4; ++i) {
-        point(10 + i, corners[static_cast<std::size_t>(std::min(i, 2))]);
-        append_tag(entities_, 30 + i, dxf_real(0.0));
-    }
-}
-
-void DxfDrawing::dimension(std::string_view layer, const DxfDimension& dimension,
-                           const std::function<void()>& draw_marks) {
-    using Kind = DxfDimension::Kind;
-    DxfPart block;
-    block.name = fmt::format("*D{}", blocks_.size() + 1);
-    block.record = dxf_first_entity + entity_count_;
-    entity_count_ += 3;
-    std::swap(entities_, block.entities);
-    owner_ = block.record;
-    draw_marks();
-    owner_ = 0;
-    std::swap(entities_, block.entities);
-
-    const auto place = [&](int code, const Eigen::Vector2d& at) {
-        point(code, at);
-        append_tag(entities_, code + 20, dxf_real(0.0));
-    };
-    begin_entity("DIMENSION", layer, "AcDbDimension");
-    append_tag(entities_, 2, block.name);
-    const Eigen::Vector2d opposite = 2.0 * dimension.first - dimension.second;
-    place(10, dimension.kind == Kind::diameter ? opposite
-              : dimension.kind == Kind::radius ? dimension.first
-                                               : dimension.line);
-    place(11, dimension.text.at);
-    constexpr int own_block = 32,
-                  own_place = 128;  // no other dimension has the block; words stand where we put them
-    const int kind = dimension.kind == Kind::linear     ? 0
-                     : dimension.kind == Kind::diameter ? 3
-                     : dimension.kind == Kind::radius   ? 4
-                                                        : 5;
-    append_tag(entities_, 70, std::to_string(kind + own_block + own_place));
-    append_tag(entities_, 71, "8");  // their foot's middle
-    const bool angle = dimension.kind == Kind::angle;
-    append_tag(entities_, 42,
-               dxf_real(angle ? dimension.measured : millimetres_shown.of(dimension.measured)));
-    const std::string tolerance = dimension.tolerance.empty() ? "" : " " + dxf_text(dimension.tolerance);
-    append_tag(entities_, 1, (dimension.across ? "%%c<>" : "<>") + tolerance);
-    append_tag(entities_, 3, dxf_dimension_style);
-    switch (dimension.kind) {
-        case Kind::linear:
-            append_tag(entities_, 100, "AcDbAlignedDimension");
-            place(13, dimension.first);
-            place(14, dimension.second);
-            append_tag(entities_, 50, dxf_real(degrees_shown.of(dimension.direction)));
-            append_tag(entities_, 100, "AcDbRotatedDimension");
-            break;
-        case Kind::diameter:
-        case Kind::radius:
-            append_tag(entities_, 100,
-                       dimension.kind == Kind::radius ? "AcDbRadialDimension" : "AcDbDiametricDimension");
-            place(15, dimension.second);
-            append_tag(entities_, 40, dxf_real(0.0));
-            break;
-        case Kind::angle:
-            append_tag(entities_, 100, "AcDb3PointAngularDimension");
-            place(13, dimension.first);
-            place(14, dimension.second);
-            place(15, dimension.vertex);
-            break;
-    }
-    blocks_.push_back(std::move(block));
-}
-
-std::string DxfDrawing::finish() const {
-    std::vector<DxfBlock> blocks;
-    for (const DxfPart& part : blocks_) blocks.push_back({part.name, part.record, part.entities});
-    DxfDimensionStyle style;
-    style.scale = dimension_scale_;
-    return dxf_before_entities({layers_, least_, most_, dxf_first_entity + entity_count_, blocks,
-                                blocks.empty() ? nullptr : &style}) +
-           entities_ + dxf_after_entities();
-}
-
-// Lenient readers take less; AutoCAD refuses a file without the classes of its objects, a layer's plot style
-// (390), the subclass marker of the dimension styles' table, the group dictionary or the layouts.
+// A tag is a group code and a value, a line each. Every object has a handle, in hexadecimal, and names its
+// owner (330). Lenient readers take less; AutoCAD refuses a file without the classes of its objects, a
+// layer's plot style (390), the subclass marker of the dimension styles' table, the group dictionary or the
+// layouts.
 
 namespace {
+
+constexpr int dxf_model_space = 0x17;    // handle of the block record that owns the entities
+constexpr int dxf_first_layer = 0x80;    // handles of the layers begin here
+constexpr int dxf_first_entity = 0x100;  // handles of the entities begin here
+constexpr const char* dxf_dimension_style = "CAMOPT";
+/// mm of the drawing, times the scale of its dimensions.
+constexpr double dimension_text = 2.5, dimension_arrow = 2.5;
+
+struct DxfScaffold {
+    std::span<const DxfLayer> layers;
+    Eigen::Vector2d least, most;  ///< extent of the drawing, mm
+    int next_handle = 0;          ///< none in use is as large
+    std::span<const DxfBlock> blocks;
+    double dimension_scale = 1.0;
+};
+
+void append_tag(std::string& text, int code, std::string_view value) {
+    text += fmt::format("{:>3}\n{}\n", code, value);
+}
+
+std::string dxf_handle(int handle) {
+    return fmt::format("{:X}", handle);
+}
+
+std::string dxf_real(double value) {
+    const std::string text = round_trip_text(value);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
 
 // Handles, hexadecimal: tables 1 … 9, root dictionary A, its children C … F, *Model_Space 17 with block 18,
 // 19 and layout 1A, *Paper_Space 1B with 1C, 1D, 1E, table entries 20 … 2F.
@@ -242,10 +121,10 @@ std::string layer(int handle, const DxfLayer& layer) {
 
 /// Group codes of the variables: 41 arrow, 42 and 44 extension lines, 77 words above the line, 78 no zeros at
 /// the end, 140 words, 271 decimals, 40 the scale of all of them.
-std::string dimension_style(const DxfDimensionStyle& style) {
+std::string dimension_style(double scale) {
     return record("DIMSTYLE", "DimStyle", "105 2B", "4", dxf_dimension_style,
                   fmt::format("70 0|40 {}|41 {}|42 0.6|44 1.2|77 1|78 8|140 {}|147 0.8|271 3|179 2|340 27",
-                              dxf_real(style.scale), dxf_real(style.arrow), dxf_real(style.text_height)));
+                              dxf_real(scale), dxf_real(dimension_arrow), dxf_real(dimension_text)));
 }
 
 std::string tables(const DxfScaffold& scaffold) {
@@ -254,7 +133,7 @@ std::string tables(const DxfScaffold& scaffold) {
     for (const DxfLayer& one : scaffold.layers)
         layers.push_back(layer(dxf_first_layer + static_cast<int>(layers.size()) - 1, one));
     std::vector<std::string> styles = {record("DIMSTYLE", "DimStyle", "105 29", "4", "Standard", "70 0")};
-    if (scaffold.dimensions != nullptr) styles.push_back(dimension_style(*scaffold.dimensions));
+    if (!scaffold.blocks.empty()) styles.push_back(dimension_style(scaffold.dimension_scale));
     const auto add_block = [&](const std::string& handle, std::string_view name, const char* layout) {
         blocks.push_back(record("BLOCK_RECORD", "Block", "5 " + handle, "9", name, layout));
     };
@@ -300,20 +179,25 @@ std::string layout(const char* name, const char* handle, bool is_model) {
         handle, is_model ? 1024 : 0, name, is_model ? 0 : 1, is_model ? "17" : "1B"));
 }
 
+std::string dxf_before_entities(const DxfScaffold& scaffold) {
+    std::string blocks =
+        block({"*Model_Space", dxf_model_space, ""}, 0) + block({"*Paper_Space", 0x1b, ""}, 0);
+    for (const DxfBlock& one : scaffold.blocks) blocks += block(one, 1);
+    return header(scaffold) + classes() + tables(scaffold) + tags("0 SECTION|2 BLOCKS") + blocks +
+           tags("0 ENDSEC|0 SECTION|2 ENTITIES");
+}
+
+std::string dxf_after_entities() {
+    return tags(
+               "0 ENDSEC|0 SECTION|2 OBJECTS|0 DICTIONARY|5 A|330 0|100 AcDbDictionary|281 1|3 "
+               "ACAD_GROUP|350 C|3 ACAD_LAYOUT|350 D|3 ACAD_PLOTSTYLENAME|350 E|0 DICTIONARY|5 C|330 A|100 "
+               "AcDbDictionary|281 1|0 DICTIONARY|5 D|330 A|100 AcDbDictionary|281 1|3 Model|350 1A|3 "
+               "Layout1|350 1E|0 ACDBDICTIONARYWDFLT|5 E|330 A|100 AcDbDictionary|281 1|3 Normal|350 F|100 "
+               "AcDbDictionaryWithDefault|340 F|0 ACDBPLACEHOLDER|5 F|330 E") +
+           layout("Model", "1A", true) + layout("Layout1", "1E", false) + tags("0 ENDSEC|0 EOF");
+}
+
 }  // namespace
-
-void append_tag(std::string& text, int code, std::string_view value) {
-    text += fmt::format("{:>3}\n{}\n", code, value);
-}
-
-std::string dxf_handle(int handle) {
-    return fmt::format("{:X}", handle);
-}
-
-std::string dxf_real(double value) {
-    const std::string text = round_trip_text(value);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
 
 std::string dxf_text(std::string_view words) {
     std::string text;
@@ -332,22 +216,192 @@ std::string dxf_text(std::string_view words) {
     return text;
 }
 
-std::string dxf_before_entities(const DxfScaffold& scaffold) {
-    std::string blocks =
-        block({"*Model_Space", dxf_model_space, ""}, 0) + block({"*Paper_Space", 0x1b, ""}, 0);
-    for (const DxfBlock& one : scaffold.blocks) blocks += block(one, 1);
-    return header(scaffold) + classes() + tables(scaffold) + tags("0 SECTION|2 BLOCKS") + blocks +
-           tags("0 ENDSEC|0 SECTION|2 ENTITIES");
+std::string dxf_of(const Drawing& drawing, std::span<const DxfStyle> styles) {
+    std::vector<DxfLayer> layers;
+    for (const DxfStyle& style : styles)
+        if (drawing.has(style.style) &&
+            std::ranges::find(layers, style.layer, &DxfLayer::name) == layers.end())
+            layers.push_back({style.layer, style.color, style.line});
+    DxfDrawing dxf(std::move(layers));
+    for (const DrawnElement& element : drawing.elements) {
+        const auto style = std::ranges::find(styles, style_of(element), &DxfStyle::style);
+        if (style == styles.end()) continue;
+        if (const auto* text = std::get_if<DrawnText>(&element)) dxf.text(style->layer, *text);
+        if (const auto* circle = std::get_if<DrawnCircle>(&element))
+            dxf.circle(style->layer, circle->center, circle->radius);
+        if (const auto* path = std::get_if<DrawnPath>(&element))
+            dxf.path(style->layer, path->vertices, path->closed);
+    }
+    return dxf.finish();
 }
 
-std::string dxf_after_entities() {
-    return tags(
-               "0 ENDSEC|0 SECTION|2 OBJECTS|0 DICTIONARY|5 A|330 0|100 AcDbDictionary|281 1|3 "
-               "ACAD_GROUP|350 C|3 ACAD_LAYOUT|350 D|3 ACAD_PLOTSTYLENAME|350 E|0 DICTIONARY|5 C|330 A|100 "
-               "AcDbDictionary|281 1|0 DICTIONARY|5 D|330 A|100 AcDbDictionary|281 1|3 Model|350 1A|3 "
-               "Layout1|350 1E|0 ACDBDICTIONARYWDFLT|5 E|330 A|100 AcDbDictionary|281 1|3 Normal|350 F|100 "
-               "AcDbDictionaryWithDefault|340 F|0 ACDBPLACEHOLDER|5 F|330 E") +
-           layout("Model", "1A", true) + layout("Layout1", "1E", false) + tags("0 ENDSEC|0 EOF");
+void DxfDrawing::path(std::string_view layer, std::span<const ArcVertex> vertices, bool closed) {
+    if (vertices.size() == 2 && vertices.front().bulge == 0.0)
+        return line(layer, vertices.front().position, vertices.back().position);
+    polyline(layer, vertices, closed);
+}
+
+void DxfDrawing::begin_entity(const char* type, std::string_view layer, const char* subclass) {
+    append_tag(entities_, 0, type);
+    append_tag(entities_, 5, dxf_handle(dxf_first_entity + entity_count_++));
+    append_tag(entities_, 330, dxf_handle(owner_ == 0 ? dxf_model_space : owner_));
+    append_tag(entities_, 100, "AcDbEntity");
+    append_tag(entities_, 8, layer);
+    append_tag(entities_, 100, subclass);
+}
+
+void DxfDrawing::point(int code, const Eigen::Vector2d& place) {
+    append_tag(entities_, code, dxf_real(millimetres_shown.of(place.x())));
+    append_tag(entities_, code + 10, dxf_real(millimetres_shown.of(place.y())));
+}
+
+void DxfDrawing::widen(const Eigen::Vector2d& place, double reach) {
+    if (!place.allFinite() || !std::isfinite(reach))
+        throw InputError("a DXF drawing takes finite points only, and one is not");
+    const Eigen::Vector2d middle = place / millimetres_shown.size;
+    const Eigen::Vector2d size = Eigen::Vector2d::Constant(millimetres_shown.of(reach));
+    const bool first = entity_count_ == 0;
+    least_ = first ? Eigen::Vector2d(middle - size) : Eigen::Vector2d(least_.cwiseMin(middle - size));
+    most_ = first ? Eigen::Vector2d(middle + size) : Eigen::Vector2d(most_.cwiseMax(middle + size));
+}
+
+void DxfDrawing::polyline(std::string_view layer, std::span<const ArcVertex> vertices, bool closed) {
+    for (const ArcVertex& vertex : vertices) widen(vertex.position);
+    begin_entity("LWPOLYLINE", layer, "AcDbPolyline");
+    append_tag(entities_, 90, std::to_string(vertices.size()));
+    append_tag(entities_, 70, closed ? "1" : "0");
+    append_tag(entities_, 43, dxf_real(0.0));
+    for (const ArcVertex& vertex : vertices) {
+        point(10, vertex.position);
+        append_tag(entities_, 42, dxf_real(vertex.bulge));
+    }
+}
+
+void DxfDrawing::circle(std::string_view layer, const Eigen::Vector2d& center, double radius) {
+    widen(center, radius);
+    begin_entity("CIRCLE", layer, "AcDbCircle");
+    point(10, center);
+    append_tag(entities_, 30, dxf_real(0.0));
+    append_tag(entities_, 40, dxf_real(millimetres_shown.of(radius)));
+}
+
+void DxfDrawing::line(std::string_view layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    widen(from);
+    widen(to);
+    begin_entity("LINE", layer, "AcDbLine");
+    point(10, from);
+    append_tag(entities_, 30, dxf_real(0.0));
+    point(11, to);
+    append_tag(entities_, 31, dxf_real(0.0));
+}
+
+void DxfDrawing::text(std::string_view layer, const DrawnText& words) {
+    widen(words.at);
+    begin_entity("TEXT", layer, "AcDbText");
+    point(10, words.at);
+    append_tag(entities_, 30, dxf_real(0.0));
+    append_tag(entities_, 40, dxf_real(millimetres_shown.of(words.height)));
+    append_tag(entities_, 1, dxf_text(words.words));
+    append_tag(entities_, 50, dxf_real(degrees_shown.of(words.turn)));
+    if (words.anchor != TextSide::start) {
+        append_tag(entities_, 72, words.anchor == TextSide::middle ? "1" : "2");
+        point(11, words.at);
+        append_tag(entities_, 31, dxf_real(0.0));
+    }
+    append_tag(entities_, 100, "AcDbText");
+}
+
+void DxfDrawing::triangle(std::string_view layer, const std::array<Eigen::Vector2d, 3>& corners) {
+    for (const Eigen::Vector2d& corner : corners) widen(corner);
+    begin_entity("SOLID", layer, "AcDbTrace");
+    for (int i = 0; i < 4; ++i) {
+        point(10 + i, corners[static_cast<std::size_t>(std::min(i, 2))]);
+        append_tag(entities_, 30 + i, dxf_real(0.0));
+    }
+}
+
+void DxfDrawing::dimension(std::string_view layer, const DrawnDimension& dimension,
+                           const Eigen::Vector2d& text, const std::function<void()>& draw_marks) {
+    using Kind = DrawnDimension::Kind;
+    const auto ray = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
+    DxfBlock block;
+    block.name = fmt::format("*D{}", blocks_.size() + 1);
+    block.record = dxf_first_entity + entity_count_;
+    entity_count_ += 3;
+    std::swap(entities_, block.entities);
+    owner_ = block.record;
+    draw_marks();
+    owner_ = 0;
+    std::swap(entities_, block.entities);
+
+    const auto place = [&](int code, const Eigen::Vector2d& at) {
+        point(code, at);
+        append_tag(entities_, code + 20, dxf_real(0.0));
+    };
+    begin_entity("DIMENSION", layer, "AcDbDimension");
+    append_tag(entities_, 2, block.name);
+    const double reach = (dimension.place - dimension.first).norm();
+    const Eigen::Vector2d across = ray(dimension.direction + 0.5 * std::numbers::pi);
+    switch (dimension.kind) {
+        case Kind::linear:  // the line passes at the second point's foot
+            place(10, dimension.second + across * across.dot(dimension.place - dimension.second));
+            break;
+        case Kind::diameter:
+            place(10, 2.0 * dimension.first - dimension.second);
+            break;
+        case Kind::radius:
+            place(10, dimension.first);
+            break;
+        case Kind::angle:
+            place(10, dimension.first + reach * ray(dimension.direction + 0.5 * dimension.sweep));
+            break;
+    }
+    place(11, text);
+    constexpr int own_block = 32,
+                  own_place = 128;  // no other dimension has the block; words stand where we put them
+    const int kind = dimension.kind == Kind::linear     ? 0
+                     : dimension.kind == Kind::diameter ? 3
+                     : dimension.kind == Kind::radius   ? 4
+                                                        : 5;
+    append_tag(entities_, 70, std::to_string(kind + own_block + own_place));
+    append_tag(entities_, 71, "8");  // their foot's middle
+    const bool angle = dimension.kind == Kind::angle;
+    append_tag(entities_, 42,
+               dxf_real(angle ? dimension.measured() : millimetres_shown.of(dimension.measured())));
+    const std::string tolerance =
+        dimension.tolerance.empty() ? "" : " " + dxf_text(printable(dimension.tolerance));
+    append_tag(entities_, 1, (dimension.across ? "%%c<>" : "<>") + tolerance);
+    append_tag(entities_, 3, dxf_dimension_style);
+    switch (dimension.kind) {
+        case Kind::linear:
+            append_tag(entities_, 100, "AcDbAlignedDimension");
+            place(13, dimension.first);
+            place(14, dimension.second);
+            append_tag(entities_, 50, dxf_real(degrees_shown.of(dimension.direction)));
+            append_tag(entities_, 100, "AcDbRotatedDimension");
+            break;
+        case Kind::diameter:
+        case Kind::radius:
+            append_tag(entities_, 100,
+                       dimension.kind == Kind::radius ? "AcDbRadialDimension" : "AcDbDiametricDimension");
+            place(15, dimension.second);
+            append_tag(entities_, 40, dxf_real(0.0));
+            break;
+        case Kind::angle:
+            append_tag(entities_, 100, "AcDb3PointAngularDimension");
+            // Counterclockwise from the first to the second.
+            place(13, dimension.first + reach * ray(dimension.direction + std::min(dimension.sweep, 0.0)));
+            place(14, dimension.first + reach * ray(dimension.direction + std::max(dimension.sweep, 0.0)));
+            place(15, dimension.first);
+            break;
+    }
+    blocks_.push_back(std::move(block));
+}
+
+std::string DxfDrawing::finish() const {
+    return dxf_before_entities(
+               {layers_, least_, most_, dxf_first_entity + entity_count_, blocks_, dimension_scale_}) +
+           entities_ + dxf_after_entities();
 }
 
 }  // namespace camopt

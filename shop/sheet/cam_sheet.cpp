@@ -207,11 +207,11 @@ class CamSheetMaker {
     bool make_way(const Vector2d& other, double near) {
         const double apart = std::remainder(direction_angle(other) - direction_angle(datum_), units::turn);
         if (std::abs(apart) > near) return false;
-        SheetText& word = sheet_.texts.back();
+        DrawnText& word = sheet_.texts.back();
         const Vector2d left(-datum_.y(), datum_.x());
         const Vector2d away = apart < 0.0 ? left : Vector2d(-left);
-        if (word.anchor == TextAnchor::middle) {
-            word.anchor = away.x() > 0.0 ? TextAnchor::start : TextAnchor::end;
+        if (word.anchor == TextSide::middle) {
+            word.anchor = away.x() > 0.0 ? TextSide::start : TextSide::end;
             word.at.x() += (away.x() > 0.0 ? 1.0 : -1.0) * 1e-3;
         } else {
             word.at.y() += (away.y() > 0.0 ? 1.0 : -1.0) * 3.5e-3;
@@ -221,11 +221,11 @@ class CamSheetMaker {
     /// At so much of the model along a ray, outside of its end.
     void add_word(const char* layer, const std::string& words, double reach, const Vector2d& ray) {
         const Vector2d at = sheet_.view.on_paper(reach * ray);
-        const TextAnchor anchor = ray.x() > 0.3    ? TextAnchor::start
-                                  : ray.x() < -0.3 ? TextAnchor::end
-                                                   : TextAnchor::middle;
+        const TextSide anchor = ray.x() > 0.3    ? TextSide::start
+                                : ray.x() < -0.3 ? TextSide::end
+                                                 : TextSide::middle;
         const double drop = ray.y() < 0.0 ? 2.5e-3 * -ray.y() : 0.0, lift = ray.y() > 0.3 ? 0.8e-3 : 0.0;
-        const double aside = anchor == TextAnchor::middle ? 0.0 : (ray.x() > 0.0 ? 1.0 : -1.0) * 1.0e-3;
+        const double aside = anchor == TextSide::middle ? 0.0 : (ray.x() > 0.0 ? 1.0 : -1.0) * 1.0e-3;
         sheet_.texts.push_back(
             {layer, at + Vector2d(aside, lift - drop - (lift > 0.0 ? 0.0 : 0.9e-3)), 2.5e-3, words, anchor});
     }
@@ -262,7 +262,7 @@ class CamSheetMaker {
             sheet_.line("SECTION", SheetPen::thick, {floor, sense * flank}, {face, sense * flank});
         sheet_.line("SECTION", SheetPen::thick, {floor, sense * inner}, {floor, sense * outer});
         if (sense > 0.0) return;
-        SheetDimension depth;
+        DrawnDimension depth;
         depth.direction = 0.0;
         depth.first = {std::min(floor, face), -rim};
         depth.second = {std::max(floor, face), -rim};
@@ -287,7 +287,7 @@ class CamSheetMaker {
         }
         sheet_.line("AXES", SheetPen::chain, {left - paper(center_overhang), 0.0},
                     {right + paper(center_overhang), 0.0});
-        SheetDimension dimension;
+        DrawnDimension dimension;
         dimension.direction = 0.0;
         dimension.first = {left, up};
         dimension.second = {right, up};
@@ -301,7 +301,7 @@ class CamSheetMaker {
             sheet_.line("SECTION", SheetPen::thick, {left, edge}, {right, edge});
         }
         const auto height = [&](double from, double to, double distance, bool across) {
-            SheetDimension upright;
+            DrawnDimension upright;
             upright.direction = 90 * degree;
             upright.first = {right, from};
             upright.second = {right, to};
@@ -314,8 +314,8 @@ class CamSheetMaker {
         if (drawing_.keyway) height(-radius, top, depth_line, false);
     }
 
-    void add_leader(SheetDimension::Kind kind, double radius, double angle) {
-        SheetDimension dimension;
+    void add_leader(DrawnDimension::Kind kind, double radius, double angle) {
+        DrawnDimension dimension;
         dimension.kind = kind;
         dimension.second = radius * unit_vector(angle);
         dimension.place =
@@ -326,17 +326,17 @@ class CamSheetMaker {
         const double far = direction_angle(farthest_);
         if (drawing_.keyway) add_keyway();
         free_.take(far);
-        add_leader(SheetDimension::Kind::radius, farthest_.norm(), far);
-        if (disk_) add_leader(SheetDimension::Kind::diameter, *disk_, free_.next());
-        add_leader(SheetDimension::Kind::diameter, base_, free_.next());
-        if (prime_ > base_) add_leader(SheetDimension::Kind::diameter, prime_, free_.next());
+        add_leader(DrawnDimension::Kind::radius, farthest_.norm(), far);
+        if (disk_) add_leader(DrawnDimension::Kind::diameter, *disk_, free_.next());
+        add_leader(DrawnDimension::Kind::diameter, base_, free_.next());
+        if (prime_ > base_) add_leader(DrawnDimension::Kind::diameter, prime_, free_.next());
     }
     void add_keyway() {
         const Keyway& keyway = *drawing_.keyway;
         const double radius = 0.5 * *drawing_.bore, floor = radius + keyway.depth,
                      way = direction_angle(cut_);
         const Vector2d left(-cut_.y(), cut_.x());
-        SheetDimension width;
+        DrawnDimension width;
         width.direction = way + 90 * degree;
         width.first = floor * cut_ - 0.5 * keyway.width * left;
         width.second = floor * cut_ + 0.5 * keyway.width * left;
@@ -344,8 +344,8 @@ class CamSheetMaker {
         width.tolerance = drawing_.title_block.keyway_tolerance;
         sheet_.dimensions.push_back(width);
         if (!has_keyway_angle()) return;
-        SheetDimension angle;
-        angle.kind = SheetDimension::Kind::angle;
+        DrawnDimension angle;
+        angle.kind = DrawnDimension::Kind::angle;
         angle.direction = direction_angle(datum_);
         angle.sweep = keyway_from_datum();
         const double reach = std::max(0.5 * (drawing_.reach() + base_), drawing_.reach() + paper(11e-3));

@@ -8,40 +8,18 @@
 
 namespace camopt {
 
-namespace {
-
 using Eigen::Vector2d;
 
-std::string trimmed(double value, int decimals) {
-    std::string text = fmt::format("{:.{}f}", value, decimals);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
-}
-
-}  // namespace
-
-double SheetDimension::measured() const {
-    switch (kind) {
-        case Kind::linear:
-            return std::abs((second - first).dot(Vector2d(std::cos(direction), std::sin(direction))));
-        case Kind::diameter:
-            return 2.0 * (second - first).norm();
-        case Kind::radius:
-            return (second - first).norm();
-        case Kind::angle:
-            break;
-    }
-    return std::abs(sweep);
-}
-
-std::string SheetDimension::words() const {
-    if (kind == Kind::angle) return trimmed(degrees_shown.of(measured()), 2) + "°";
-    const bool diameter = kind == Kind::diameter || (across && kind == Kind::linear);
-    return (diameter               ? "⌀"
-            : kind == Kind::radius ? "R"
-                                   : "") +
-           drawn_length(measured(), lengths) + (tolerance.empty() ? "" : " " + printable(tolerance));
+std::string words_of(const DrawnDimension& dimension) {
+    using Kind = DrawnDimension::Kind;
+    if (dimension.kind == Kind::angle) return svg_number(degrees_shown.of(dimension.measured()), 2) + "°";
+    const bool diameter =
+        dimension.kind == Kind::diameter || (dimension.across && dimension.kind == Kind::linear);
+    return (diameter                         ? "⌀"
+            : dimension.kind == Kind::radius ? "R"
+                                             : "") +
+           drawn_length(dimension.measured(), dimension.lengths) +
+           (dimension.tolerance.empty() ? "" : " " + printable(dimension.tolerance));
 }
 
 void Sheet::line(const std::string& layer, SheetPen pen, const Vector2d& from, const Vector2d& to,
@@ -88,7 +66,7 @@ int drawn_decimals(LengthUnit unit) {
 }
 
 std::string drawn_length(double metres, LengthUnit unit) {
-    return trimmed(metres / metres_of(unit), drawn_decimals(unit));
+    return svg_number(metres / metres_of(unit), drawn_decimals(unit));
 }
 
 StandardScale standard_scale(const Vector2d& size, const Vector2d& room) {

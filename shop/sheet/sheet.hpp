@@ -45,39 +45,8 @@ struct SheetCircle {
     SheetSpace space = SheetSpace::model;
 };
 
-enum class TextAnchor { start, middle, end };
-
-/// Always upright in size: its height is that of a capital letter on the paper.
-struct SheetText {
-    std::string layer;
-    Eigen::Vector2d at = {0.0, 0.0};  ///< of the anchor on the baseline; paper
-    double height = 2.5e-3;           ///< m
-    std::string words;                ///< UTF-8, one line
-    TextAnchor anchor = TextAnchor::start;
-    double turn = 0.0;  ///< rad, counterclockwise
-};
-
-/// A dimension: what it measures in the model, and where its line and words stand on the paper.
-struct SheetDimension {
-    enum class Kind {
-        linear,    ///< from first to second along `direction`; the line passes through `place`
-        diameter,  ///< of the circle about first through second; words at `place`, a leader to second
-        radius,    ///< likewise
-        angle  ///< about first, from the ray `direction` counterclockwise by `sweep`; the arc through `place`
-    };
-    Kind kind = Kind::linear;
-    Eigen::Vector2d first = {0.0, 0.0}, second = {0.0, 0.0};  ///< model
-    double direction = 0.0, sweep = 0.0;                      ///< rad
-    Eigen::Vector2d place = {0.0, 0.0};                       ///< paper
-    bool across = false;  ///< linear: it measures a diameter, and its words say so
-    LengthUnit lengths = LengthUnit::millimetre;
-    std::string tolerance = {};  ///< behind the number: "H7"
-
-    /// m, or rad of an angle.
-    [[nodiscard]] double measured() const;
-    /// "⌀25", "R40.5", "30°": lengths as drawn_length, degrees with two decimals.
-    [[nodiscard]] std::string words() const;
-};
+/// "⌀25", "R40.5", "30°": lengths as drawn_length, degrees with two decimals.
+[[nodiscard]] std::string words_of(const DrawnDimension& dimension);
 
 struct Sheet {
     std::string title;
@@ -88,8 +57,8 @@ struct Sheet {
     LengthUnit lengths = LengthUnit::millimetre;  ///< of all numbers on it
     std::vector<SheetPath> paths;
     std::vector<SheetCircle> circles;
-    std::vector<SheetText> texts;
-    std::vector<SheetDimension> dimensions;
+    std::vector<DrawnText> texts;  ///< on the paper
+    std::vector<DrawnDimension> dimensions;
 
     void line(const std::string& layer, SheetPen pen, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
               SheetSpace space = SheetSpace::model);

@@ -39,7 +39,7 @@ std::vector<DxfLayer> layers_of(const Sheet& sheet) {
     };
     for (const SheetPath& path : sheet.paths) add(path.layer, path.pen);
     for (const SheetCircle& circle : sheet.circles) add(circle.layer, circle.pen);
-    for (const SheetText& text : sheet.texts) add(text.layer, SheetPen::thin);
+    for (const DrawnText& text : sheet.texts) add(text.style, SheetPen::thin);
     if (!sheet.dimensions.empty()) add(dimension_layer_name, SheetPen::thin);
     return layers;
 }
@@ -52,8 +52,8 @@ class DxfSheet {
         for (const SheetCircle& circle : sheet.circles)
             drawing_.circle(circle.layer, in_model(circle.center, circle.space),
                             circle.radius / (circle.space == SheetSpace::paper ? sheet.view.scale : 1.0));
-        for (const SheetText& text : sheet.texts) drawing_.text(text.layer, text_of(text));
-        for (const SheetDimension& dimension : sheet.dimensions) draw(dimension);
+        for (const DrawnText& text : sheet.texts) drawing_.text(text.style, text_of(text));
+        for (const DrawnDimension& dimension : sheet.dimensions) draw(dimension);
     }
     [[nodiscard]] std::string finish() const { return drawing_.finish(); }
 
@@ -64,11 +64,12 @@ class DxfSheet {
     [[nodiscard]] Vector2d in_model(const Vector2d& point, SheetSpace space) const {
         return space == SheetSpace::model ? point : sheet_.view.in_model(point);
     }
-    [[nodiscard]] DxfText text_of(const SheetText& text) const {
-        const auto anchor = text.anchor == TextAnchor::start    ? DxfText::Anchor::start
-                            : text.anchor == TextAnchor::middle ? DxfText::Anchor::middle
-                                                                : DxfText::Anchor::end;
-        return {sheet_.view.in_model(text.at), text.height / sheet_.view.scale, text.words, anchor,
+    [[nodiscard]] DrawnText text_of(const DrawnText& text) const {
+        return {text.style,
+                sheet_.view.in_model(text.at),
+                text.height / sheet_.view.scale,
+                text.words,
+                text.anchor,
                 text.turn};
     }
     void draw(const SheetPath& path) {
@@ -77,57 +78,19 @@ class DxfSheet {
         if (path.filled && vertices.size() == 3)
             return drawing_.triangle(path.layer,
                                      {vertices[0].position, vertices[1].position, vertices[2].position});
-        if (vertices.size() == 2 && vertices[0].bulge == 0.0)
-            return drawing_.line(path.layer, vertices[0].position, vertices[1].position);
-        drawing_.polyline(path.layer, vertices, path.closed);
+        drawing_.path(path.layer, vertices, path.closed);
     }
-    void draw(const SheetDimension& dimension) {
-        using Kind = SheetDimension::Kind;
+    void draw(DrawnDimension dimension) {
         const DimensionMarks marks = dimension_marks(dimension, sheet_.view);
-        DxfDimension entity;
-        entity.measured = dimension.measured();
-        entity.text = text_of(marks.text);
-        entity.across = dimension.across;
-        entity.tolerance = printable(dimension.tolerance);
-        entity.first = dimension.first;
-        entity.second = dimension.second;
-        entity.line = sheet_.view.in_model(dimension.place);
-        switch (dimension.kind) {
-            case Kind::linear: {
-                entity.direction = dimension.direction;
-                // The line passes at the second point's foot.
-                const Vector2d along(std::cos(dimension.direction), std::sin(dimension.direction)),
-                    across(-along.y(), along.x());
-                entity.line = dimension.second + across * across.dot(entity.line - dimension.second);
-                break;
-            }
-            case Kind::diameter:
-                entity.kind = DxfDimension::Kind::diameter;
-                break;
-            case Kind::radius:
-                entity.kind = DxfDimension::Kind::radius;
-                break;
-            case Kind::angle: {
-                entity.kind = DxfDimension::Kind::angle;
-                entity.vertex = dimension.first;
-                const double radius = (entity.line - dimension.first).norm();
-                const auto at = [&](double angle) -> Vector2d {
-                    return dimension.first + radius * Vector2d(std::cos(angle), std::sin(angle));
-                };
-                // Counterclockwise from the first to the second.
-                entity.first = at(dimension.direction + std::min(dimension.sweep, 0.0));
-                entity.second = at(dimension.direction + std::max(dimension.sweep, 0.0));
-                entity.line = at(dimension.direction + 0.5 * dimension.sweep);
-                break;
-            }
-        }
-        drawing_.dimension(dimension_layer_name, entity, [&] {
+        const DrawnText words = text_of(marks.text);
+        dimension.place = sheet_.view.in_model(dimension.place);
+        drawing_.dimension(dimension_layer_name, dimension, words.at, [&] {
             for (const SheetPath& line : marks.lines) draw(line);
             for (const auto& arrow : marks.arrows)
                 drawing_.triangle(dimension_layer_name,
                                   {sheet_.view.in_model(arrow[0]), sheet_.view.in_model(arrow[1]),
                                    sheet_.view.in_model(arrow[2])});
-            drawing_.text(dimension_layer_name, text_of(marks.text));
+            drawing_.text(dimension_layer_name, words);
         });
     }
 };
@@ -137,10 +100,7 @@ using units::degree, units::millimetre;
 constexpr double capital_height = 0.729;  // of the font's size
 
 std::string mm_text(double metres) {
-    std::string text = fmt::format("{:.4f}", millimetres_shown.of(metres));
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
+    return svg_number(millimetres_shown.of(metres), 4);
 }
 
 const char* class_of(SheetPen pen) {
@@ -173,26 +133,21 @@ class SvgSheet final : public SheetPainter {
     }
 
     void path(const SheetPath& path) override {
-        std::string data = "M" + place(path.vertices.front().position);
-        const std::size_t count = path.vertices.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            if (i + 1 == count && !path.closed) break;
-            const ArcVertex &from = path.vertices[i], &to = path.vertices[(i + 1) % count];
-            data += step(from, to.position);
-        }
-        text_ += fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", path.filled ? "filled" : class_of(path.pen),
-                             data, path.closed ? "Z" : "");
+        const PicturePlace place = {
+            {0.0, millimetres_shown.of(height_)}, Vector2d::Constant(millimetres_shown.of(1.0)), 4};
+        text_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", path.filled ? "filled" : class_of(path.pen),
+                             svg_path(path.vertices, path.closed, place));
     }
     void circle(const SheetCircle& circle) override {
         text_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", class_of(circle.pen),
                              mm_text(circle.center.x()), mm_text(height_ - circle.center.y()),
                              mm_text(circle.radius));
     }
-    void text(const SheetText& text) override {
+    void text(const DrawnText& text) override {
         const std::string x = mm_text(text.at.x()), y = mm_text(height_ - text.at.y());
-        const char* const anchor = text.anchor == TextAnchor::start    ? "start"
-                                   : text.anchor == TextAnchor::middle ? "middle"
-                                                                       : "end";
+        const char* const anchor = text.anchor == TextSide::start    ? "start"
+                                   : text.anchor == TextSide::middle ? "middle"
+                                                                     : "end";
         const std::string turn =
             std::abs(text.turn) < 1e-9
                 ? std::string{}
@@ -203,18 +158,6 @@ class SvgSheet final : public SheetPainter {
     [[nodiscard]] std::string finish() const { return text_ + "</svg>\n"; }
 
  private:
-    [[nodiscard]] std::string place(const Vector2d& point) const {
-        return mm_text(point.x()) + " " + mm_text(height_ - point.y());
-    }
-    [[nodiscard]] std::string step(const ArcVertex& from, const Vector2d& to) const {
-        constexpr double straight =
-            1e-9;  // of a bulge: the arc leaves its chord by no more than that part of it
-        if (std::abs(from.bulge) < straight) return "L" + place(to);
-        const BulgeArc arc = bulge_arc(from.position, to, from.bulge);
-        return fmt::format("A{0} {0} 0 {1} {2} {3}", mm_text(arc.radius), std::abs(from.bulge) > 1.0 ? 1 : 0,
-                           from.bulge > 0.0 ? 0 : 1, place(to));
-    }
-
     double height_;
     std::string text_;
 };

@@ -143,7 +143,7 @@ void add_table(Sheet& sheet, const SheetTable& table, const Vector2d& top_left) 
                                    {right - cell_padding, top - row_height + 1.0e-3},
                                    table_text,
                                    row[column],
-                                   TextAnchor::end});
+                                   TextSide::end});
         }
     };
     for (int block = 0; block < table.blocks(); ++block) {

@@ -33,7 +33,7 @@ void add_mark_arrow(DimensionMarks& marks, const Vector2d& tip, const Vector2d& 
     marks.arrows.push_back({tip, back + side, back - side});
 }
 
-void set_mark_text(DimensionMarks& marks, const Vector2d& at, const std::string& words, TextAnchor anchor,
+void set_mark_text(DimensionMarks& marks, const Vector2d& at, const std::string& words, TextSide anchor,
                    double turn) {
     marks.text = {dimension_layer, at, dimension_text_height, words, anchor, turn};
 }
@@ -47,7 +47,7 @@ double readable(double angle) {
     return turn;
 }
 
-DimensionMarks linear_marks(const SheetDimension& dimension, const SheetView& view) {
+DimensionMarks linear_marks(const DrawnDimension& dimension, const SheetView& view) {
     DimensionMarks marks;
     const Vector2d along = direction_of(dimension.direction), across = left_of(along);
     Vector2d from = view.on_paper(dimension.first), to = view.on_paper(dimension.second);
@@ -62,7 +62,7 @@ DimensionMarks linear_marks(const SheetDimension& dimension, const SheetView& vi
         const Vector2d way = out.normalized();
         add_mark_line(marks, point + mark_gap * way, end + mark_overshoot * way);
     }
-    const std::string words = dimension.words();
+    const std::string words = words_of(dimension);
     const double length = (right - left).norm(), width = widest_text(words, dimension_text_height),
                  turn = readable(dimension.direction);
     const bool arrows_fit = length > 2.5 * mark_arrow, words_fit = length > width + 1e-3;
@@ -77,7 +77,7 @@ DimensionMarks linear_marks(const SheetDimension& dimension, const SheetView& vi
     }
     const Vector2d up = left_of(direction_of(turn));
     if (words_fit) {
-        set_mark_text(marks, 0.5 * (left + right) + words_above * up, words, TextAnchor::middle, turn);
+        set_mark_text(marks, 0.5 * (left + right) + words_above * up, words, TextSide::middle, turn);
         return marks;
     }
     // Beside the line, at the end from which the words run on outwards.
@@ -85,19 +85,19 @@ DimensionMarks linear_marks(const SheetDimension& dimension, const SheetView& vi
     const Vector2d start = right + (arrows_fit ? 0.0 : mark_tail) * along;
     add_mark_line(marks, start, start + (width + 2.0 * words_beside) * along);
     set_mark_text(marks, start + words_beside * along + words_above * up, words,
-                  forwards ? TextAnchor::start : TextAnchor::end, turn);
+                  forwards ? TextSide::start : TextSide::end, turn);
     return marks;
 }
 
-DimensionMarks leader_marks(const SheetDimension& dimension, const SheetView& view) {
+DimensionMarks leader_marks(const DrawnDimension& dimension, const SheetView& view) {
     DimensionMarks marks;
     const Vector2d tip = view.on_paper(dimension.second), center = view.on_paper(dimension.first);
     const bool to_right = dimension.place.x() >= tip.x();
-    const std::string words = dimension.words();
+    const std::string words = words_of(dimension);
     const double width = widest_text(words, dimension_text_height), side = to_right ? 1.0 : -1.0;
     const Vector2d elbow = dimension.place, end = elbow + side * Vector2d(leader_shoulder + width, 0.0);
     const Vector2d way = (elbow - tip).normalized();
-    if (dimension.kind == SheetDimension::Kind::radius) {
+    if (dimension.kind == DrawnDimension::Kind::radius) {
         add_mark_line(marks, center, tip);
         add_mark_arrow(marks, tip, (tip - center).normalized());
     } else {
@@ -106,11 +106,11 @@ DimensionMarks leader_marks(const SheetDimension& dimension, const SheetView& vi
     add_mark_line(marks, tip, elbow);
     add_mark_line(marks, elbow, end);
     set_mark_text(marks, elbow + Vector2d(side * leader_shoulder, words_above), words,
-                  to_right ? TextAnchor::start : TextAnchor::end, 0.0);
+                  to_right ? TextSide::start : TextSide::end, 0.0);
     return marks;
 }
 
-DimensionMarks angle_marks(const SheetDimension& dimension, const SheetView& view) {
+DimensionMarks angle_marks(const DrawnDimension& dimension, const SheetView& view) {
     DimensionMarks marks;
     const Vector2d center = view.on_paper(dimension.first);
     const double radius = (dimension.place - center).norm(), from = dimension.direction,
@@ -125,7 +125,7 @@ DimensionMarks angle_marks(const SheetDimension& dimension, const SheetView& vie
     const double middle = 0.5 * (from + to), turn = readable(middle - std::numbers::pi / 2.0);
     const bool outwards = left_of(direction_of(turn)).dot(direction_of(middle)) > 0.0;
     const double distance = outwards ? radius + words_above : radius - words_above;
-    set_mark_text(marks, center + distance * direction_of(middle), dimension.words(), TextAnchor::middle,
+    set_mark_text(marks, center + distance * direction_of(middle), words_of(dimension), TextSide::middle,
                   turn);
     return marks;
 }
@@ -136,12 +136,12 @@ struct PlacedWords {
     double width = 0.0, height = 0.0;
     std::vector<Vector2d> points = {};
 
-    explicit PlacedWords(const SheetText& text) : along(direction_of(text.turn)) {
+    explicit PlacedWords(const DrawnText& text) : along(direction_of(text.turn)) {
         constexpr double room = 0.8e-3;
         const double own = widest_text(text.words, text.height);
-        const double part = text.anchor == TextAnchor::start    ? 0.0
-                            : text.anchor == TextAnchor::middle ? 0.5
-                                                                : 1.0;
+        const double part = text.anchor == TextSide::start    ? 0.0
+                            : text.anchor == TextSide::middle ? 0.5
+                                                              : 1.0;
         const Vector2d up = left_of(along);
         corner = text.at - (room + part * own) * along - room * up;
         width = own + 2.0 * room;
@@ -176,19 +176,19 @@ struct PlacedWords {
 };
 
 /// The k-th place to try: further out, of a diameter to both sides of where it was.
-SheetDimension moved(SheetDimension dimension, const SheetView& view, int k) {
+DrawnDimension moved(DrawnDimension dimension, const SheetView& view, int k) {
     constexpr double step = 1.5e-3, turn = 7.0 * units::degree;
     const bool leads =
-        dimension.kind == SheetDimension::Kind::diameter || dimension.kind == SheetDimension::Kind::radius;
+        dimension.kind == DrawnDimension::Kind::diameter || dimension.kind == DrawnDimension::Kind::radius;
     const Vector2d center = view.on_paper(dimension.first);
     Vector2d out = (dimension.place - (leads ? view.on_paper(dimension.second) : center)).normalized();
-    if (dimension.kind == SheetDimension::Kind::diameter) {
+    if (dimension.kind == DrawnDimension::Kind::diameter) {
         const Eigen::Rotation2D<double> rotation((k % 2 == 0 ? -0.5 * k : 0.5 * (k + 1)) * turn);
         dimension.second = dimension.first + rotation * (dimension.second - dimension.first);
         dimension.place = center + rotation * (dimension.place - center);
         return dimension;
     }
-    if (dimension.kind == SheetDimension::Kind::linear) {
+    if (dimension.kind == DrawnDimension::Kind::linear) {
         const Vector2d across = left_of(direction_of(dimension.direction));
         out = across.dot(out) < 0.0 ? Vector2d(-across) : across;
     }
@@ -201,10 +201,10 @@ SheetDimension moved(SheetDimension dimension, const SheetView& view, int k) {
 void separate_dimensions(Sheet& sheet) {
     constexpr int most_steps = 20;
     std::vector<PlacedWords> placed(sheet.texts.begin(), sheet.texts.end());
-    for (SheetDimension& dimension : sheet.dimensions) {
+    for (DrawnDimension& dimension : sheet.dimensions) {
         dimension.lengths = sheet.lengths;
         for (int k = 0; k < most_steps; ++k) {
-            const SheetDimension tried = moved(dimension, sheet.view, k);
+            const DrawnDimension tried = moved(dimension, sheet.view, k);
             const PlacedWords own(dimension_marks(tried, sheet.view));
             if (std::ranges::any_of(
                     placed, [&](const PlacedWords& other) { return own.covers(other) || other.covers(own); }))
@@ -231,12 +231,12 @@ void paint(const Sheet& sheet, SheetPainter& painter) {
         circle.space = SheetSpace::paper;
         painter.circle(circle);
     }
-    std::vector<SheetText> words;
-    for (const SheetDimension& dimension : sheet.dimensions) {
+    std::vector<DrawnText> words;
+    for (const DrawnDimension& dimension : sheet.dimensions) {
         const DimensionMarks marks = dimension_marks(dimension, sheet.view);
         for (const SheetPath& line : marks.lines) painter.path(line);
         for (const std::array<Vector2d, 3>& arrow : marks.arrows)
-            painter.path({marks.text.layer,
+            painter.path({marks.text.style,
                           SheetPen::thin,
                           {{arrow[0], 0.0}, {arrow[1], 0.0}, {arrow[2], 0.0}},
                           true,
@@ -244,18 +244,18 @@ void paint(const Sheet& sheet, SheetPainter& painter) {
                           true});
         words.push_back(marks.text);
     }
-    for (const SheetText& text : words) painter.text(text);
-    for (const SheetText& text : sheet.texts) painter.text(text);
+    for (const DrawnText& text : words) painter.text(text);
+    for (const DrawnText& text : sheet.texts) painter.text(text);
 }
 
-DimensionMarks dimension_marks(const SheetDimension& dimension, const SheetView& view) {
+DimensionMarks dimension_marks(const DrawnDimension& dimension, const SheetView& view) {
     switch (dimension.kind) {
-        case SheetDimension::Kind::linear:
+        case DrawnDimension::Kind::linear:
             return linear_marks(dimension, view);
-        case SheetDimension::Kind::angle:
+        case DrawnDimension::Kind::angle:
             return angle_marks(dimension, view);
-        case SheetDimension::Kind::diameter:
-        case SheetDimension::Kind::radius:
+        case DrawnDimension::Kind::diameter:
+        case DrawnDimension::Kind::radius:
             break;
     }
     return leader_marks(dimension, view);

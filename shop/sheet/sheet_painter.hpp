@@ -37,7 +37,7 @@ class SheetPainter {
     virtual ~SheetPainter() = default;
     virtual void path(const SheetPath& path) = 0;
     virtual void circle(const SheetCircle& circle) = 0;
-    virtual void text(const SheetText& text) = 0;
+    virtual void text(const DrawnText& text) = 0;
 
  protected:
     SheetPainter() = default;
@@ -48,20 +48,6 @@ class SheetPainter {
 /// Lines first, words above them.
 void paint(const Sheet& sheet, SheetPainter& painter);
 
-/// An arc between two vertices as a circle: bulge not 0.
-struct BulgeArc {
-    Eigen::Vector2d center;
-    double radius, from, to;  ///< rad; to > from where it turns to the left
-};
-[[nodiscard]] inline BulgeArc bulge_arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                                        double bulge) {
-    const Eigen::Vector2d chord = to - from, left(-chord.y(), chord.x());
-    const Eigen::Vector2d center = 0.5 * (from + to) + (1.0 - bulge * bulge) / (4.0 * bulge) * left;
-    const Eigen::Vector2d out = from - center;
-    const double begin = std::atan2(out.y(), out.x());
-    return {center, out.norm(), begin, begin + 4.0 * std::atan(bulge)};
-}
-
 // How a dimension looks on the paper: its lines, arrow heads and words (ISO 129-1). Pictures draw them; a DXF
 // file keeps them in the dimension's block.
 inline constexpr double dimension_text_height = 2.5e-3;  ///< m
@@ -70,10 +56,10 @@ inline constexpr double dimension_text_height = 2.5e-3;  ///< m
 struct DimensionMarks {
     std::vector<SheetPath> lines;  ///< thin; arcs among them
     std::vector<std::array<Eigen::Vector2d, 3>> arrows;
-    SheetText text;
+    DrawnText text;
 };
 
-[[nodiscard]] DimensionMarks dimension_marks(const SheetDimension& dimension, const SheetView& view);
+[[nodiscard]] DimensionMarks dimension_marks(const DrawnDimension& dimension, const SheetView& view);
 
 /// Gives the dimensions the sheet's unit, and moves them, one after another, outwards or about the circle
 /// that they measure, until no words lie on the words or lines of those before. One that finds no such place

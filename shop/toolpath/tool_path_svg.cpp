@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "core/word_of.hpp"
-#include "report/chart/svg_canvas.hpp"
+#include "report/drawing/drawing.hpp"
 
 #include <fmt/format.h>
 
@@ -24,17 +24,20 @@ constexpr double legend_left = 752, legend_step = 21, sample = 34, least_page = 
 constexpr int most_turns = 8;  // of a program about the cam's axis, for its outlines
 constexpr double room = 0.04;  // of a view, on either side
 
-constexpr const char* tool_path_style =
+// What cuts lies over what does not.
+constexpr std::array<PictureStyle, 4> move_styles = {
+    {{"roughing", "fill:none;stroke:#8a8a8a;stroke-width:.9"},
+     {"rapid", "fill:none;stroke:#d55e00;stroke-width:1.2;stroke-dasharray:5 4"},
+     {"way", "fill:none;stroke:#009e73;stroke-width:1.6"},
+     {"finishing", "fill:none;stroke:#7b3fa0;stroke-width:1.8;stroke-linejoin:round"}}};
+constexpr const char* work_style =
     ".blank{fill:#f4efe6;stroke:#9a8866;stroke-width:1.2;stroke-dasharray:6 "
     "4}.finished{fill:#d9e8f2;stroke:#0072b2;stroke-width:1.1;stroke-linejoin:round}.groove{fill:#fff;fill-"
     "rule:evenodd;stroke:#0072b2;stroke-width:1.1;stroke-linejoin:round}.flank{fill:none;stroke:#0072b2;"
-    "stroke-width:1.1}.rapid{fill:none;stroke:#d55e00;stroke-width:1.2;stroke-dasharray:5 "
-    "4}.way{fill:none;stroke:#009e73;stroke-width:1.6}.roughing{fill:none;stroke:#8a8a8a;stroke-width:.9}."
-    "finishing{fill:none;stroke:#7b3fa0;stroke-width:1.8;stroke-linejoin:round}.cutter{fill:#7b3fa0;fill-"
-    "opacity:.10;stroke:#7b3fa0;stroke-width:1}.heading{font-size:13px;font-weight:600}.refused{fill:#d00000;"
-    "font-weight:600;font-size:13px}";
+    "stroke-width:1.1}.cutter{fill:#7b3fa0;fill-opacity:.10;stroke:#7b3fa0;stroke-width:1}.heading{font-"
+    "size:13px;font-weight:600}.refused{fill:#d00000;font-weight:600;font-size:13px}";
 
-const char* class_of(MoveRole role) {
+const char* style_of(MoveRole role) {
     return word_of<MoveRole::finishing>(role, {"rapid", "way", "roughing", "finishing"});
 }
 
@@ -65,59 +68,21 @@ struct View {
     }
 };
 
-struct ViewLine {
-    const char* css_class;
-    std::vector<Vector2d> points;
-};
-
-std::vector<ViewLine> lines_in(View view, std::span<const ToolPathLine> lines) {
-    std::vector<ViewLine> result;
+Drawing drawing_in(View view, std::span<const ToolPathLine> lines) {
+    Drawing drawing;
     for (const ToolPathLine& line : lines) {
-        ViewLine& made = result.emplace_back(ViewLine{class_of(line.role), {}});
-        for (const Vector3d& point : line.points) made.points.push_back(view(point));
+        std::vector<Vector2d> points;
+        for (const Vector3d& point : line.points) points.push_back(view(point));
+        drawing.polyline(style_of(line.role), points);
     }
-    // What cuts lies over what does not.
-    std::ranges::stable_sort(result, {}, [](const ViewLine& line) {
-        const std::string_view name = line.css_class;
-        return name == "roughing" ? 0 : name == "rapid" ? 1 : name == "way" ? 2 : 3;
-    });
-    return result;
+    return drawing;
 }
 
-struct ViewBox {
-    Vector2d least = Vector2d::Constant(HUGE_VAL), most = Vector2d::Constant(-HUGE_VAL);
-    void add(const Vector2d& point) {
-        least = least.cwiseMin(point);
-        most = most.cwiseMax(point);
-    }
-    void add(const std::vector<ViewLine>& lines) {
-        for (const ViewLine& line : lines)
-            for (const Vector2d& point : line.points) add(point);
-    }
-    [[nodiscard]] ViewBox with_room() const {
-        const Vector2d more = (room * (most - least)).cwiseMax(1e-6);
-        ViewBox box;
-        box.least = least - more;
-        box.most = most + more;
-        return box;
-    }
-};
-
-/// px of a point: (x0 + kx a, y0 − ky b).
-struct Placing {
-    double x0 = 0.0, y0 = 0.0, kx = 1.0, ky = 1.0;
-    [[nodiscard]] Vector2d operator()(const Vector2d& point) const {
-        return {x0 + kx * point.x(), y0 - ky * point.y()};
-    }
-};
-
-std::string path_data(const Placing& place, const std::vector<Vector2d>& points, bool closed = false) {
-    std::string data;
-    for (const Vector2d& point : points) {
-        const Vector2d at = place(point);
-        data += (data.empty() ? "M" : "L") + svg_number(at.x()) + " " + svg_number(at.y());
-    }
-    return closed ? data + "Z" : data;
+DrawingBox with_room(DrawingBox box) {
+    const Vector2d more = (room * box.size()).cwiseMax(1e-6);
+    box.least -= more;
+    box.most += more;
+    return box;
 }
 
 class ToolPathPainter {
@@ -129,31 +94,31 @@ class ToolPathPainter {
           picture_(picture),
           developed_(machine.axes().size() > 3),
           lines_(tool_path_lines(program, machine)) {
-        first_ = lines_in({developed_, false}, lines_);
-        second_ = lines_in({developed_, true}, lines_);
+        first_ = drawing_in({developed_, false}, lines_);
+        second_ = drawing_in({developed_, true}, lines_);
         const Blank& blank = work.job.blank;
-        first_box_.add(first_);
-        second_box_.add(second_);
+        first_box_ = first_.box();
+        second_box_ = second_.box();
         if (developed_) {
             for (const double z : {blank.lower, blank.upper}) first_box_.add({first_box_.least.x(), z});
             second_box_.add({second_box_.least.x(), blank.radius});
-            for (const std::vector<Vector2d>& line : outlines())
-                for (const Vector2d& point : line) first_box_.add(point);
+            for (const std::vector<ArcVertex>& line : outlines())
+                for (const ArcVertex& vertex : line) first_box_.add(vertex.position);
         } else {
-            first_box_.add(Vector2d::Constant(blank.radius));
-            first_box_.add(-Vector2d::Constant(blank.radius));
+            first_box_.add({0.0, 0.0}, blank.radius);
             second_box_.add({first_box_.least.x(), blank.lower});
             second_box_.add({first_box_.most.x(), blank.upper});
         }
-        first_box_ = first_box_.with_room();
-        second_box_ = second_box_.with_room();
+        first_box_ = with_room(first_box_);
+        second_box_ = with_room(second_box_);
         second_box_.least.x() = first_box_.least.x();
         second_box_.most.x() = first_box_.most.x();
         place_views();
     }
 
     std::string paint() {
-        SvgCanvas canvas(page_width, page_height_, tool_path_style, "Tool path: " + picture_.title);
+        SvgCanvas canvas(page_width, page_height_, css_of(move_styles) + work_style,
+                         "Tool path: " + picture_.title);
         canvas.rectangle(0, 0, page_width, page_height_, "page");
         canvas.text(frame_left, 34, picture_.title, "title");
         canvas.text(frame_left, 56,
@@ -173,71 +138,66 @@ class ToolPathPainter {
     const ToolPathPicture& picture_;
     bool developed_;
     std::vector<ToolPathLine> lines_;
-    std::vector<ViewLine> first_, second_;
-    ViewBox first_box_, second_box_;
-    Placing first_place_, second_place_;
+    Drawing first_, second_;
+    DrawingBox first_box_, second_box_;
+    PicturePlace first_place_, second_place_;
     double first_height_ = 0.0, second_height_ = 0.0, page_height_ = 0.0;
 
     [[nodiscard]] double second_top() const { return frame_top + first_height_ + between_views; }
 
     void place_views() {
-        const Vector2d first = first_box_.most - first_box_.least,
-                       second = second_box_.most - second_box_.least;
-        double kx = frame_width / first.x();
+        const Vector2d first = first_box_.size(), second = second_box_.size();
+        double kx = frame_width / first.x(), ky = 0.0, left = frame_left - kx * first_box_.least.x();
         if (developed_) {
             first_height_ = 0.6 * tallest_view;
             second_height_ = 0.7 * tallest_side;
-            first_place_ = {frame_left - kx * first_box_.least.x(), 0.0, kx, first_height_ / first.y()};
+            ky = first_height_ / first.y();
         } else {
             // One scale for all; the wider frame is filled from its middle.
-            kx = std::min(kx, tallest_view / first.y());
+            ky = kx = std::min(kx, tallest_view / first.y());
             first_height_ = kx * first.y();
             second_height_ = std::clamp(kx * second.y(), least_side, tallest_side);
-            const double middle = 0.5 * (first_box_.least.x() + first_box_.most.x());
-            first_place_ = {frame_left + 0.5 * frame_width - kx * middle, 0.0, kx, kx};
+            left = frame_left + 0.5 * (frame_width - kx * (first_box_.least.x() + first_box_.most.x()));
         }
-        first_place_.y0 = frame_top + first_height_ + first_place_.ky * first_box_.least.y();
-        second_place_ = first_place_;
-        second_place_.ky = second_height_ / second.y();
-        second_place_.y0 = second_top() + second_height_ + second_place_.ky * second_box_.least.y();
+        const double side = second_height_ / second.y();
+        first_place_ = {{left, frame_top + first_height_ + ky * first_box_.least.y()}, {kx, ky}};
+        second_place_ = {{left, second_top() + second_height_ + side * second_box_.least.y()}, {kx, side}};
         page_height_ = std::max(least_page, second_top() + second_height_ + page_foot);
     }
 
     /// Beside the program's lines: on every turn about the cam's axis that they take.
-    [[nodiscard]] std::vector<std::vector<Vector2d>> outlines() const {
-        std::vector<std::vector<Vector2d>> result;
-        ViewBox drawn;
-        drawn.add(first_);
+    [[nodiscard]] std::vector<std::vector<ArcVertex>> outlines() const {
+        std::vector<std::vector<ArcVertex>> result;
+        const DrawingBox drawn = first_.box();
         for (const std::vector<Vector3d>& outline : work_.task.outlines) {
             View view{developed_, false};
-            std::vector<Vector2d> line;
+            std::vector<ArcVertex> line;
             line.reserve(outline.size());
-            for (const Vector3d& point : outline) line.push_back(view(point));
-            if (!developed_) {
-                result.push_back(std::move(line));
-                continue;
+            for (const Vector3d& point : outline) line.push_back({view(point), 0.0});
+            const double middle = 0.5 * (line.front().position.x() + line.back().position.x());
+            for (int turn = -most_turns; developed_ && turn <= most_turns; ++turn) {
+                const double offset = turn * units::turn;
+                if (!(middle + offset > drawn.least.x() && middle + offset < drawn.most.x())) continue;
+                result.push_back(line);
+                for (ArcVertex& vertex : result.back()) vertex.position.x() += offset;
             }
-            for (int turn = -most_turns; turn <= most_turns; ++turn) {
-                std::vector<Vector2d> turned = line;
-                for (Vector2d& point : turned) point.x() += turn * units::turn;
-                const double middle = 0.5 * (turned.front().x() + turned.back().x());
-                if (middle > drawn.least.x() && middle < drawn.most.x()) result.push_back(std::move(turned));
-            }
+            if (!developed_) result.push_back(std::move(line));
         }
         return result;
     }
 
     void paint_frame(SvgCanvas& canvas, bool side) const {
-        const Placing& place = side ? second_place_ : first_place_;
+        const PicturePlace& place = side ? second_place_ : first_place_;
         const double top = side ? second_top() : frame_top, height = side ? second_height_ : first_height_;
-        const double per_unit = picture_.length.size;  // m in one shown unit
         PlotFrame frame;
-        const double across = developed_ ? degree : per_unit;
-        frame.horizontal = {(frame_left - place.x0) / place.kx / across,
-                            (frame_left + frame_width - place.x0) / place.kx / across, frame_left,
+        // Of one shown unit.
+        const double across = place.scale.x() * (developed_ ? degree : picture_.length.size),
+                     upwards = place.scale.y() * picture_.length.size;
+        frame.horizontal = {(frame_left - place.origin.x()) / across,
+                            (frame_left + frame_width - place.origin.x()) / across, frame_left,
                             frame_left + frame_width};
-        frame.vertical = {(place.y0 - top - height) / place.ky / per_unit,
-                          (place.y0 - top) / place.ky / per_unit, top + height, top};
+        frame.vertical = {(place.origin.y() - top - height) / upwards, (place.origin.y() - top) / upwards,
+                          top + height, top};
         frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 8);
         frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, side ? 4 : 8);
         const std::string& unit = picture_.length.name;
@@ -252,10 +212,10 @@ class ToolPathPainter {
 
     void paint_blank(SvgCanvas& canvas, bool side) const {
         const Blank& blank = work_.job.blank;
-        const Placing& place = side ? second_place_ : first_place_;
+        const PicturePlace& place = side ? second_place_ : first_place_;
         if (!developed_ && !side) {
             const Vector2d middle = place({0.0, 0.0});
-            canvas.circle(middle.x(), middle.y(), place.kx * blank.radius, "blank");
+            canvas.circle(middle.x(), middle.y(), place.scale.x() * blank.radius, "blank");
             return;
         }
         const double left = developed_ ? first_box_.least.x() : -blank.radius;
@@ -277,8 +237,8 @@ class ToolPathPainter {
     /// Of a plane cam one path: what lies between two flanks is their groove.
     void paint_outlines(SvgCanvas& canvas) const {
         std::string together;
-        for (const std::vector<Vector2d>& line : outlines()) {
-            const std::string data = path_data(first_place_, line, !developed_);
+        for (const std::vector<ArcVertex>& line : outlines()) {
+            const std::string data = svg_path(line, !developed_, first_place_);
             if (developed_)
                 canvas.path(data, outline_class());
             else
@@ -288,26 +248,25 @@ class ToolPathPainter {
     }
 
     void paint_view(SvgCanvas& canvas, bool side) const {
-        const Placing& place = side ? second_place_ : first_place_;
+        const PicturePlace& place = side ? second_place_ : first_place_;
         paint_blank(canvas, side);
         paint_frame(canvas, side);
         if (!side) paint_outlines(canvas);
-        const std::vector<ViewLine>& lines = side ? second_ : first_;
-        std::string group = fmt::format("<g class=\"view\" data-place=\"{} {} {} {}\">\n", place.x0, place.y0,
-                                        place.kx, place.ky);
-        for (const ViewLine& line : lines)
-            group +=
-                fmt::format("<path d=\"{}\" class=\"{}\"/>\n", path_data(place, line.points), line.css_class);
-        canvas.insert(0, 0, group + "</g>\n");
+        SvgCanvas moves;
+        draw(moves, side ? second_ : first_, place, move_styles);
+        canvas.insert(0, 0,
+                      fmt::format("<g class=\"view\" data-place=\"{} {} {} {}\">\n{}</g>\n", place.origin.x(),
+                                  place.origin.y(), place.scale.x(), place.scale.y(), moves.elements()));
         if (!developed_ && !side) paint_cutter(canvas);
     }
 
     /// Where finishing begins.
     void paint_cutter(SvgCanvas& canvas) const {
-        for (const ViewLine& line : first_)
-            if (std::string_view(line.css_class) == "finishing" && !line.points.empty()) {
-                const Vector2d at = first_place_(line.points.front());
-                canvas.circle(at.x(), at.y(), first_place_.kx * 0.5 * work_.task.cutter.diameter, "cutter");
+        for (const ToolPathLine& line : lines_)
+            if (line.role == MoveRole::finishing && !line.points.empty()) {
+                const Vector2d at = first_place_(line.points.front().head<2>());
+                canvas.circle(at.x(), at.y(), 0.5 * first_place_.scale.x() * work_.task.cutter.diameter,
+                              "cutter");
                 return;
             }
     }

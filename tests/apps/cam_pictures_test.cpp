@@ -58,8 +58,8 @@ TEST(ProfileSvg, FaceWidthMatchesScene) {
                     folder.path(), "profile.svg");
         const double base = numbers_in(between(element_with(svg, "class=\"circle\""), " r=\"", "\"")).at(0);
         const std::vector<double> face =
-            numbers_in(between(element_with(svg, "class=\"follower\""), " d=\"", "\""));
-        ASSERT_GE(face.size(), 8U) << element_with(svg, "class=\"follower\"");
+            numbers_in(between(element_with(svg, "class=\"face\""), " d=\"", "\""));
+        ASSERT_EQ(face.size(), 4U) << element_with(svg, "class=\"face\"");
         const double drawn = std::hypot(face[2] - face[0], face[3] - face[1]) / base * 17.0;
         EXPECT_NEAR(drawn, 2.0 * half_width, 0.02);  // pixels are written with two decimals
         EXPECT_NE(svg.find(half_width == 22.0 ? "22 mm" : "14.5 mm"), std::string::npos);

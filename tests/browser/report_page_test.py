@@ -258,7 +258,7 @@ def pictures_of_cams_are_whole(page, made):
     page.open(made[GROOVE] / "report.html")
     assert page.js("return getComputedStyle(document.querySelector('.drawing .grooved')).fillRule") == "evenodd"
     page.open(made[DISKS] / "report.html")
-    first, second = page.js("return [...document.querySelectorAll('.drawing .cam')].map((one) => getComputedStyle(one).stroke)")
+    first, second = page.js("return [...document.querySelectorAll('.drawing .cam, .drawing .second')].map((one) => getComputedStyle(one).stroke)")
     assert first != second, "both disks have one colour"
 
 

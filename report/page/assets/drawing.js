@@ -26,7 +26,7 @@
     };
     const [cx, cy] = drawing.center, turns = drawing.turned;
     const step = Math.max(1, Math.floor(turns.length / 48));
-    for (const outline of drawing.outlines)
+    for (const outline of drawing.outlines.filter((one) => one.points))
       for (let row = 0; row < turns.length; row += step) {
         if (turns[row] === null) continue;
         const c = Math.cos(turns[row] * Math.PI / 180), s = Math.sin(turns[row] * Math.PI / 180);
@@ -35,8 +35,7 @@
           if (x !== null) see(cx + c * x - s * y, cy + s * x + c * y);
         }
       }
-    for (const circle of drawing.circles) see(cx, cy, circle.radius);
-    if (drawing.rim) see(cx, cy, drawing.rim);
+    for (const circle of drawing.outlines.filter((one) => one.radius)) see(cx, cy, circle.radius);
     for (const part of drawing.parts)
       for (let i = 0; i + 1 < part.points.length; i += 2) see(part.points[i], part.points[i + 1], part.radius);
     // The arrow of the turn about the axis is part of the picture.
@@ -122,19 +121,19 @@
       const [cx, cy] = data.center, [x, y] = [cx, -cy];
       const svg = element('svg', { viewBox: `${extent.left - room} ${-extent.high - room} ${width + 2 * room} ${height + 2 * room + 26 * unit}`,
         role: 'img', 'aria-label': 'The cam with its follower to scale, at the cam angle of the slider', style: `--unit:${unit}` });
-      for (const circle of data.circles)
-        svg.append(element('circle', { cx: x, cy: y, r: circle.radius, class: 'guide-circle' }, element('title', {}, circle.name)));
       turning = element('g', {});
-      const closed = data.outlines.filter((outline) => !outline.pitch);
-      const second = !data.rim && closed.length > 1 && closed[1].name.includes('disk') ? closed[1] : null;  // of conjugate disks
-      if (data.rim) {  // the disk that the groove is cut into: the groove stays empty
-        const rim = `M${data.rim} 0A${data.rim} ${data.rim} 0 0 0 ${-data.rim} 0A${data.rim} ${data.rim} 0 0 0 ${data.rim} 0Z`;
-        turning.append(element('path', { d: rim + closed.map((one) => pathOf(one.points, true)).join(''), class: 'grooved' }, element('title', {}, 'the grooved disk')));
+      const paths = data.outlines.filter((one) => one.points), circles = data.outlines.filter((one) => one.radius);
+      const rim = circles.find((one) => one.style === 'rim');
+      const walls = paths.filter((one) => !one.style.includes('pitch') && one.style !== 'open');
+      if (rim) {  // the disk that the groove is cut into: the groove stays empty
+        const r = rim.radius, disk = `M${r} 0A${r} ${r} 0 0 0 ${-r} 0A${r} ${r} 0 0 0 ${r} 0Z`;
+        turning.append(element('path', { d: disk + walls.map((one) => pathOf(one.points, true)).join(''), class: 'grooved' }, element('title', {}, rim.name)));
       }
-      const shapeOf = (outline) => outline.pitch ? 'pitch' : (outline.closed && !data.rim ? 'cam closed' : 'cam') + (outline === second ? ' second' : '');
-      for (const outline of data.outlines)
-        turning.append(element('path', { d: pathOf(outline.points, outline.closed), class: shapeOf(outline) }, element('title', {}, outline.name)));
-      const first = closed[0].points;
+      for (const circle of circles.filter((one) => one !== rim))
+        svg.append(element('circle', { cx: x, cy: y, r: circle.radius, class: 'guide-circle' }, element('title', {}, circle.name)));
+      for (const path of paths)
+        turning.append(element('path', { d: pathOf(path.points, path.closed), class: 'outline ' + path.style + (path.closed && !rim ? ' closed' : '') }, element('title', {}, path.name)));
+      const first = walls[0].points;
       turning.append(element('line', { x1: 0, y1: 0, x2: 0.94 * first[0], y2: -0.94 * first[1], class: 'datum' }, element('title', {}, 'mark at cam angle 0')));
       svg.append(turning);
       svg.append(element('circle', { cx: x, cy: y, r: 5 * unit, class: 'center' }), element('path', { class: 'center-cross', d: `M${x - 10 * unit} ${y}H${x + 10 * unit}M${x} ${y - 10 * unit}V${y + 10 * unit}` }));
@@ -146,10 +145,8 @@
       svg.append(contact, scaleBar(extent, size, unit));
       const key = element('ul', { class: 'key' });
       const has = (name) => data.parts.some((part) => part.kind === name);
-      if (closed.length > 1) closed.forEach((one) => key.append(element('li', { class: one === second ? 'key-second' : 'key-cam' }, one.name)));
-      else key.append(element('li', { class: 'key-cam' }, 'cam'));
-      if (data.outlines.some((outline) => outline.pitch)) key.append(element('li', { class: 'key-pitch' }, "path of the roller's centre"));
-      data.circles.forEach((circle) => key.append(element('li', { class: 'key-circle' }, `${circle.name}, radius ${numberText(circle.radius, 6)} ${data.unit}`)));
+      for (const path of paths.filter((one) => one.style !== 'open')) key.append(element('li', { class: 'key-' + path.style }, path.name));
+      circles.filter((one) => one !== rim).forEach((circle) => key.append(element('li', { class: 'key-circle' }, `${circle.name}, radius ${numberText(circle.radius, 6)} ${data.unit}`)));
       const named = [...new Set(data.parts.filter((part) => part.kind !== 'pivot').map((part) => part.name))];
       key.append(element('li', { class: has('circle') ? 'key-roller' : 'key-link' }, named.join(', ')));
       host.replaceChildren(svg, key);

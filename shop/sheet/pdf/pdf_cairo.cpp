@@ -81,7 +81,7 @@ class PdfSheet final : public PdfPainter {
         black();
         stroke(circle.pen);
     }
-    void text(const SheetText& text) override {
+    void text(const DrawnText& text) override {
         cairo_t* const at = context_.get();
         cairo_save(at);
         cairo_translate(at, x_of(text.at), y_of(text.at));
@@ -89,9 +89,9 @@ class PdfSheet final : public PdfPainter {
         cairo_set_font_size(at, mm_a_metre * text.height / capital_height);
         cairo_text_extents_t size;
         cairo_text_extents(at, text.words.c_str(), &size);
-        const double part = text.anchor == TextAnchor::start    ? 0.0
-                            : text.anchor == TextAnchor::middle ? 0.5
-                                                                : 1.0;
+        const double part = text.anchor == TextSide::start    ? 0.0
+                            : text.anchor == TextSide::middle ? 0.5
+                                                              : 1.0;
         const double left = -part * size.x_advance;
         cairo_set_source_rgb(at, 1.0, 1.0, 1.0);
         cairo_rectangle(at, left + size.x_bearing - 0.5 * halo, size.y_bearing - 0.5 * halo,

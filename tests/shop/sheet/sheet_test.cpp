@@ -37,38 +37,38 @@ TEST(Sheet, TakesTheLargestStandardScaleThatFits) {
 }
 
 TEST(Sheet, DimensionsMeasureTheModelAndSaySo) {
-    SheetDimension dimension;
+    DrawnDimension dimension;
     dimension.second = {0.03, 0.04};
     EXPECT_DOUBLE_EQ(dimension.measured(), 0.03);
-    EXPECT_EQ(dimension.words(), "30");
+    EXPECT_EQ(words_of(dimension), "30");
     dimension.direction = 0.5 * pi;
     dimension.across = true;
-    EXPECT_EQ(dimension.words(), "⌀40");
-    dimension.kind = SheetDimension::Kind::radius;
-    EXPECT_EQ(dimension.words(), "R50");
-    dimension.kind = SheetDimension::Kind::diameter;
-    EXPECT_EQ(dimension.words(), "⌀100");
-    dimension.kind = SheetDimension::Kind::angle;
+    EXPECT_EQ(words_of(dimension), "⌀40");
+    dimension.kind = DrawnDimension::Kind::radius;
+    EXPECT_EQ(words_of(dimension), "R50");
+    dimension.kind = DrawnDimension::Kind::diameter;
+    EXPECT_EQ(words_of(dimension), "⌀100");
+    dimension.kind = DrawnDimension::Kind::angle;
     dimension.sweep = -pi / 3.0;
     EXPECT_DOUBLE_EQ(dimension.measured(), pi / 3.0);
-    EXPECT_EQ(dimension.words(), "60°");
+    EXPECT_EQ(words_of(dimension), "60°");
     EXPECT_EQ(drawn_length(0.0123456), "12.346");
     EXPECT_EQ(drawn_length(-1e-9), "0");
 }
 
 TEST(Sheet, SaysItsLengthsInInchesWhereAsked) {
-    SheetDimension dimension;
-    dimension.kind = SheetDimension::Kind::diameter;
+    DrawnDimension dimension;
+    dimension.kind = DrawnDimension::Kind::diameter;
     dimension.second = {0.0127, 0.0};
     dimension.lengths = LengthUnit::inch;
-    EXPECT_EQ(dimension.words(), "⌀1");
+    EXPECT_EQ(words_of(dimension), "⌀1");
     EXPECT_EQ(drawn_length(0.010, LengthUnit::inch), "0.3937");
     Sheet sheet;
     sheet.format = "A4";
     sheet.lengths = LengthUnit::inch;
     add_frame(sheet, {});
     EXPECT_TRUE(
-        std::ranges::any_of(sheet.texts, [](const SheetText& text) { return text.words == "A4, in"; }));
+        std::ranges::any_of(sheet.texts, [](const DrawnText& text) { return text.words == "A4, in"; }));
 }
 
 TEST(Sheet, TitleBlockWordsFitTheirCells) {
@@ -86,11 +86,11 @@ TEST(Sheet, TitleBlockWordsFitTheirCells) {
     add_frame(sheet, title, "1.25 kg");
     for (const char* const words : {"4711-0815", "C", "2026-11-26", "Cam Works", "Ra 0.8", "0.02", "1.25 kg",
                                     "1:2", "projection", "mass", "profile tolerance"})
-        EXPECT_TRUE(std::ranges::any_of(sheet.texts, [&](const SheetText& text) {
+        EXPECT_TRUE(std::ranges::any_of(sheet.texts, [&](const DrawnText& text) {
             return text.words == words;
         })) << words;
     const double left = sheet.width - sheet_margin - title_block_width;
-    for (const SheetText& text : sheet.texts) {
+    for (const DrawnText& text : sheet.texts) {
         EXPECT_GE(text.at.x(), left);
         EXPECT_LE(text.at.x() + widest_text(text.words, text.height), sheet.width - sheet_margin);
         EXPECT_GT(text.at.y(), sheet_margin);
@@ -120,12 +120,12 @@ TEST(Sheet, ProjectionSymbolTellsFirstFromThirdAngle) {
 }
 
 TEST(Sheet, DimensionCarriesItsFit) {
-    SheetDimension dimension;
+    DrawnDimension dimension;
     dimension.second = {0.0, 0.025};
     dimension.direction = 0.5 * pi;
     dimension.across = true;
     dimension.tolerance = "H7";
-    EXPECT_EQ(dimension.words(), "⌀25 H7");
+    EXPECT_EQ(words_of(dimension), "⌀25 H7");
 }
 
 TEST(Sheet, BulgeArcPassesThroughItsPoints) {
@@ -143,7 +143,7 @@ TEST(Sheet, BulgeArcPassesThroughItsPoints) {
 
 // A short dimension has its arrows outside and its words beside them.
 TEST(Sheet, MarksAvoidOverlap) {
-    SheetDimension dimension;
+    DrawnDimension dimension;
     dimension.place = {0.0, 0.01};
     for (const double length : {0.05, 0.002}) {
         dimension.second = {length, 0.0};
@@ -158,9 +158,9 @@ TEST(Sheet, MarksAvoidOverlap) {
 /// Words of a keyway 6 wide and of its angle, and others at one place: none lie over another.
 TEST(Sheet, DimensionsMoveApart) {
     Sheet sheet;
-    sheet.texts.push_back({"DATUM", {-0.004, 0.016}, 2.5e-3, "datum, α = 0", TextAnchor::end});
+    sheet.texts.push_back({"DATUM", {-0.004, 0.016}, 2.5e-3, "datum, α = 0", TextSide::end});
     for (const double height : {0.012, 0.012, 0.016}) {
-        SheetDimension dimension;
+        DrawnDimension dimension;
         dimension.first = {-0.003, 0.005};
         dimension.second = {0.003, 0.005};
         dimension.place = {0.0, height};
@@ -168,16 +168,16 @@ TEST(Sheet, DimensionsMoveApart) {
         sheet.dimensions.push_back(dimension);
     }
     separate_dimensions(sheet);
-    std::vector<SheetText> words = sheet.texts;
-    for (const SheetDimension& dimension : sheet.dimensions)
+    std::vector<DrawnText> words = sheet.texts;
+    for (const DrawnDimension& dimension : sheet.dimensions)
         words.push_back(dimension_marks(dimension, sheet.view).text);
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) {
-            const auto box = [](const SheetText& text) {
+            const auto box = [](const DrawnText& text) {
                 const double width = widest_text(text.words, text.height);
-                const double part = text.anchor == TextAnchor::start    ? 0.0
-                                    : text.anchor == TextAnchor::middle ? 0.5
-                                                                        : 1.0;
+                const double part = text.anchor == TextSide::start    ? 0.0
+                                    : text.anchor == TextSide::middle ? 0.5
+                                                                      : 1.0;
                 return std::pair(text.at.x() - part * width, text.at.x() + (1.0 - part) * width);
             };
             const auto [left, right] = box(words[i]);
@@ -202,9 +202,9 @@ TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
     sheet.view = {{0.125, 0.125}, 0.5};
     sheet.line("CAM", SheetPen::thick, {0.0, 0.0}, {0.02, 0.0});
     sheet.arc("CAM", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, 0.02}, 0.0, 1.5 * pi);
-    sheet.texts.push_back({"NOTES", {0.25, 0.125}, 2e-3, "⌀ 5 °", TextAnchor::end});
-    SheetDimension dimension;
-    dimension.kind = SheetDimension::Kind::diameter;
+    sheet.texts.push_back({"NOTES", {0.25, 0.125}, 2e-3, "⌀ 5 °", TextSide::end});
+    DrawnDimension dimension;
+    dimension.kind = DrawnDimension::Kind::diameter;
     dimension.second = {0.02, 0.0};
     dimension.place = {0.13, 0.12};
     sheet.dimensions.push_back(dimension);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "report/drawing/cam_svg.hpp"
+
 #include "core/units.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "report/chart/curve_chart.hpp"
-#include "report/drawing/cam_svg.hpp"
 #include "studies/delivered/cam_summary.hpp"
 #include "tests/report/well_formed.hpp"
 #include "tests/studies/cam_samples.hpp"
@@ -16,7 +17,7 @@
 #include <vector>
 
 namespace camopt {
-namespace profile_svg_test {
+namespace cam_svg_test {
 
 using testing_support::count_of;
 
@@ -25,46 +26,6 @@ void expect_sound(const std::string& svg) {
     EXPECT_EQ(count_of(svg, "<"), count_of(svg, ">"));
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
     for (const char* broken : {"nan", "inf", "-0°"}) EXPECT_EQ(svg.find(broken), std::string::npos) << broken;
-}
-
-TEST(ProfileSvg, ShowsEveryPartOfEveryCam) {
-    for (const FollowerType follower : test::all_followers)
-        for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
-            const MotionChain motion = test::turn_motion("modified_sine");
-            const ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(follower, rotation)),
-                                                     motion, test::sample_scale(follower));
-            const std::string svg = profile_svg(shape, "A <cam> & its follower");
-            expect_sound(svg);
-            EXPECT_NE(svg.find("A &lt;cam&gt; &amp; its follower"), std::string::npos);
-            EXPECT_EQ(count_of(svg, "class=\"cam\""), 2);    // outline and legend
-            EXPECT_EQ(count_of(svg, "class=\"mark\""), 13);  // every 30° and legend
-            EXPECT_EQ(count_of(svg, "class=\"pitch\""), has_roller(follower) ? 2 : 0);
-            EXPECT_EQ(count_of(svg, "class=\"bearing\""), is_oscillating(follower) ? 1 : 0);
-            EXPECT_NE(svg.find(name_of(rotation)), std::string::npos);
-            EXPECT_EQ(svg.find("UNDERCUT"), std::string::npos);
-        }
-}
-
-TEST(ProfileSvg, AnUndercutCamSaysSo) {
-    DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
-    const MotionChain motion = test::turn_motion("polynomial_4567");
-    const std::string svg =
-        profile_svg(profile_shape(disk_mechanism(cam), motion, {10 * units::degree, 1.0}), "Undercut");
-    expect_sound(svg);
-    EXPECT_NE(svg.find("UNDERCUT"), std::string::npos);
-    EXPECT_GE(count_of(svg, "class=\"undercut\""), 2);
-}
-
-TEST(ProfileSvg, ASectorIsOpen) {
-    const MotionChain motion = test::turn_motion("modified_sine");
-    ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(FollowerType::translating_roller)),
-                                       motion, test::sample_scale(FollowerType::translating_roller));
-    shape.knots = {shape.knots[1], shape.knots.back()};
-    shape.closed = false;
-    const std::string svg = profile_svg(shape, "Sector");
-    expect_sound(svg);
-    EXPECT_NE(svg.find("open: θ from 60° to 360°"), std::string::npos);
-    EXPECT_EQ(count_of(svg, "class=\"cam\""), 0);
 }
 
 /// A solution with that cam along the motion, as a solve reports it.
@@ -84,6 +45,47 @@ Solution with_cam(const DiskCam& cam, const MotionChain& motion, const MotionSca
     report.summary = cam_summary(report.cam, motion, scene);
     solution.cam = std::move(report);
     return solution;
+}
+
+TEST(CamSvg, ShowsEveryPartOfEveryCam) {
+    for (const FollowerType follower : test::all_followers)
+        for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
+            Solution solution = with_cam(test::sample_cam(follower, rotation),
+                                         test::turn_motion("modified_sine"), test::sample_scale(follower));
+            solution.scene.title = "A <cam> & its follower";
+            const std::string svg = cam_svg(solution);
+            expect_sound(svg);
+            EXPECT_NE(svg.find("A &lt;cam&gt; &amp; its follower"), std::string::npos);
+            EXPECT_EQ(count_of(svg, "class=\"cam\""), 2);    // outline and legend
+            EXPECT_EQ(count_of(svg, "class=\"mark\""), 13);  // every 30° and legend
+            for (const char* const style : {"class=\"pitch\"", "class=\"prime\"", "class=\"roller\""})
+                EXPECT_EQ(count_of(svg, style), has_roller(follower) ? 2 : 0) << style;
+            EXPECT_EQ(count_of(svg, "class=\"face\""), has_flat_face(follower) ? 2 : 0);
+            EXPECT_EQ(count_of(svg, "class=\"link\""), 2);
+            EXPECT_EQ(count_of(svg, "class=\"pivot\""), is_oscillating(follower) ? 1 : 0);
+            EXPECT_NE(svg.find(name_of(rotation)), std::string::npos);
+            EXPECT_EQ(svg.find("UNDERCUT"), std::string::npos);
+        }
+}
+
+TEST(CamSvg, AnUndercutCamSaysSo) {
+    const DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
+    const std::string svg =
+        cam_svg(with_cam(cam, test::turn_motion("polynomial_4567"), {10 * units::degree, 1.0}));
+    expect_sound(svg);
+    EXPECT_NE(svg.find("UNDERCUT"), std::string::npos);
+    EXPECT_GE(count_of(svg, "class=\"undercut\""), 2);
+}
+
+TEST(CamSvg, ASectorIsOpen) {
+    const MotionChain motion = test::turn_motion("modified_sine");
+    const MotionChain part(std::vector<ChainPart>(motion.parts().begin() + 1, motion.parts().end()));
+    const std::string svg = cam_svg(with_cam(test::sample_cam(FollowerType::translating_roller), part,
+                                             test::sample_scale(FollowerType::translating_roller)));
+    expect_sound(svg);
+    EXPECT_NE(svg.find("open: θ from 60° to 360°"), std::string::npos);
+    EXPECT_EQ(count_of(svg, "class=\"cam\""), 1);  // the legend alone
+    EXPECT_EQ(count_of(svg, "class=\"cam sector\""), 1);
 }
 
 TEST(CamDiagrams, ShowLimitsAndExtremes) {
@@ -113,5 +115,5 @@ TEST(CamDiagrams, UnboundedCurvatureLeavesTheFrame) {
     EXPECT_NE(svg.find("it leaves the frame"), std::string::npos);
 }
 
-}  // namespace profile_svg_test
+}  // namespace cam_svg_test
 }  // namespace camopt
