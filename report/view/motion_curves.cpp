@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Displacement, velocity, acceleration and jerk by the cam angle, with limits, peaks and set points.
+#include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "report/view/peak_comparison.hpp"
 #include "report/view/view.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "objectives/drive_rules.hpp"
-#include "objectives/motion_bounds.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
