@@ -10,17 +10,11 @@ namespace camopt::apps {
 
 namespace {
 
-std::vector<std::string> files_of(const PlcFormat& format) {
-    std::vector<std::string> files = {format.file};
-    if (!format.text_file.empty()) files.push_back(format.text_file);
-    return files;
-}
-
 std::string controllers_text() {
     std::string text;
     for (const PlcFormat& format : plc_formats()) {
         text += fmt::format("{:<10} {}\n{:<10}   {}: {}, {}\n", format.key, format.controller, "",
-                            fmt::join(files_of(format), ", "), format.rule, format.numbers);
+                            fmt::join(format.files(), ", "), format.rule, format.numbers);
         if (format.limit)
             text += fmt::format("{:<10}   {} holds {} {}\n", "", format.limit_words, *format.limit,
                                 format.element);
@@ -34,7 +28,7 @@ Json controllers_json() {
     Json list = Json::array();
     for (const PlcFormat& format : plc_formats())
         list.push_back({{"key", format.key},
-                        {"files", files_of(format)},
+                        {"files", format.files()},
                         {"controller", format.controller},
                         {"rule", format.rule},
                         {"numbers", format.numbers},

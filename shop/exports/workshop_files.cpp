@@ -202,12 +202,14 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
     }
 
     void add_controllers() {
-        for (const PlcFormat& format : plc_formats())
-            for (const std::string& name : {format.file, format.text_file, plc_check_name(format)})
-                if (!name.empty())
-                    add_of(format.key, name, [&format](Self self) {
-                        return plc_export(self.solution_, {format.key}, {self.options_.points}).files;
-                    });
+        for (const PlcFormat& format : plc_formats()) {
+            std::vector<std::string> names = format.files();
+            names.push_back(plc_check_name(format));
+            for (const std::string& name : names)
+                add_of(format.key, name, [&format](Self self) {
+                    return plc_export(self.solution_, {format.key}, {self.options_.points}).files;
+                });
+        }
     }
     void add_plane() {
         for (const char* const name : {drawn_profile, drawn_profile_check})

@@ -47,11 +47,13 @@ Stretch stretch_between(const MasterCurve& curve, double from, double to, const 
     const EndState begin = held_state(curve, from, Side::right, options);
     const EndState end = held_state(curve, to, Side::left, options);
     const std::vector<double> own = own_polynomial(curve, from, to, options.degree);
-    if (!own.empty())
+    if (options.degree == 1)
+        stretch.piece = line_between(begin, end);
+    else if (!own.empty())
         stretch.piece = {begin.theta, end.theta, polynomial_about({from, to, own}, begin.theta)};
     else
         stretch.piece = options.degree == 3 ? cubic_between(begin, end) : quintic_between(begin, end);
-    stretch.error = largest_difference(curve, stretch.piece, {from, to}, 0).value;
+    if (!options.points) stretch.error = largest_difference(curve, stretch.piece, {from, to}, 0).value;
     return stretch;
 }
 
@@ -227,6 +229,10 @@ std::vector<double> polynomial_about(const CamPiece& piece, double theta) {
 
 // What the controller would make of the numbers without rounding: differences of near ones lose digits.
 using Wide = long double;
+
+CamPiece line_between(const EndState& from, const EndState& to) {
+    return {from.theta, to.theta, {from.s, (to.s - from.s) / (to.theta - from.theta)}};
+}
 
 CamPiece cubic_between(const EndState& from, const EndState& to) {
     const Wide h = Wide(to.theta) - from.theta, rise = Wide(to.s) - from.s;

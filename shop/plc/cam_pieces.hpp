@@ -76,11 +76,12 @@ struct CamPiece {
 struct EndState {
     double theta = 0.0, s = 0.0, v = 0.0, a = 0.0;
 };
+[[nodiscard]] CamPiece line_between(const EndState& from, const EndState& to);     ///< s
 [[nodiscard]] CamPiece cubic_between(const EndState& from, const EndState& to);    ///< s and v
 [[nodiscard]] CamPiece quintic_between(const EndState& from, const EndState& to);  ///< s, v and a
 
 struct FitOptions {
-    int degree = 5;                      ///< 3 or 5
+    int degree = 5;                      ///< 1, 3 or 5
     std::optional<int> points = {};      ///< evenly over the turn, ends included; none: the breakpoints
     int most = 1000;                     ///< pieces
     double (*master)(double) = nullptr;  ///< to the next master position the controller can hold; none: all

@@ -5,11 +5,11 @@
 #include "core/version.hpp"
 #include "report/json/json_text.hpp"
 #include "report/view/shown_units.hpp"
-#include "shop/plc/structured_text.hpp"
+#include "shop/plc/plc_template.hpp"
 #include "splines/motion_family.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <set>
@@ -123,7 +123,9 @@ bool drifts(const MasterCurve& curve, const PlcResult& result) {
 ordered_json loss_json(const Solution& solution, const MasterCurve& curve, const PlcResult& result) {
     ordered_json rows = ordered_json::array();
     for (std::size_t r = 0; r < result.loss.size(); ++r) {
-        ordered_json row{{"quantity", loss_symbols[r]}};
+        ordered_json row{
+            {"quantity", loss_symbols[r]}, {"per_degree", nullptr}, {"shown", nullptr}, {"unit", nullptr},
+            {"at_deg", nullptr},           {"of_peak", nullptr}};
         if (result.loss[r]) {
             const ShownLoss shown = shown_loss(solution, curve, r, result.loss[r]->value);
             row.update({{"per_degree", result.loss[r]->value},
@@ -131,12 +133,6 @@ ordered_json loss_json(const Solution& solution, const MasterCurve& curve, const
                         {"unit", shown.unit},
                         {"at_deg", result.loss[r]->at},
                         {"of_peak", result.of_peak[r]}});
-        } else {
-            row.update({{"per_degree", nullptr},
-                        {"shown", nullptr},
-                        {"unit", nullptr},
-                        {"at_deg", nullptr},
-                        {"of_peak", nullptr}});
         }
         rows.push_back(row);
     }
@@ -145,24 +141,22 @@ ordered_json loss_json(const Solution& solution, const MasterCurve& curve, const
 
 ordered_json format_json(const Solution& solution, const MasterCurve& curve, const PlcResult& result) {
     const PlcFormat& format = *result.format;
-    ordered_json json{{"format", format.key},
-                      {"file", format.file},
-                      {"text_file", nullptr},
-                      {"controller", format.controller},
-                      {"rule", format.rule},
-                      {"numbers", format.numbers},
-                      {"element", format.element},
-                      {"count", result.count},
-                      {"limit", nullptr},
-                      {"degree", format.degree},
-                      {"units", {{"master_deg", result.units.master}, {"slave", result.units.slave}}},
-                      {"slave_at_start", result.slave_at_start},
-                      {"verdict", result.lossless ? "lossless" : "lossy"},
-                      {"drift_per_turn", result.drift_per_turn},
-                      {"loss", loss_json(solution, curve, result)}};
-    if (!format.text_file.empty()) json["text_file"] = format.text_file;
-    if (format.limit) json["limit"] = *format.limit;
-    return json;
+    const ordered_json none;
+    return {{"format", format.key},
+            {"file", format.file},
+            {"text_file", format.text_file.empty() ? none : ordered_json(format.text_file)},
+            {"controller", format.controller},
+            {"rule", format.rule},
+            {"numbers", format.numbers},
+            {"element", format.element},
+            {"count", result.count},
+            {"limit", format.limit ? ordered_json(*format.limit) : none},
+            {"degree", format.degree},
+            {"units", {{"master_deg", result.units.master}, {"slave", result.units.slave}}},
+            {"slave_at_start", result.units.start},
+            {"verdict", result.lossless ? "lossless" : "lossy"},
+            {"drift_per_turn", result.drift_per_turn},
+            {"loss", loss_json(solution, curve, result)}};
 }
 
 std::string check_json(const Solution& solution, const MasterCurve& curve, const PlcResult& result) {
@@ -181,9 +175,9 @@ std::vector<std::string> plc_header(const Solution& solution, const MasterCurve&
     lines.push_back(unit_words(curve, result));
     lines.push_back(count_words(result));
     lines.push_back("read back and evaluated over the whole cycle, " + loss_words(solution, curve, result));
-    if (result.slave_at_start != 0.0)
+    if (result.units.start != 0.0)
         lines.push_back(fmt::format("slave positions count from the start, which is {} {}",
-                                    short_text(result.slave_at_start, 9), curve.slave_unit()));
+                                    short_text(result.units.start, 9), curve.slave_unit()));
     if (drifts(curve, result)) lines.push_back(drift_words(curve, result));
     for (std::string& line : lines) line = plain_line(line);
     return lines;
@@ -194,8 +188,8 @@ std::string plc_text(const Solution& solution, const MasterCurve& curve,
     std::string text = fmt::format("\nElectronic cam: {}\n", range_words(curve));
     for (const PlcResult& result : results) {
         const PlcFormat& format = *result.format;
-        text += fmt::format("  {}{}{}: {}\n    {}\n", format.file, format.text_file.empty() ? "" : ", ",
-                            format.text_file, count_words(result), loss_words(solution, curve, result));
+        text += fmt::format("  {}: {}\n    {}\n", fmt::join(format.files(), ", "), count_words(result),
+                            loss_words(solution, curve, result));
         if (drifts(curve, result)) text += fmt::format("    {}\n", drift_words(curve, result));
     }
     return text;
@@ -254,21 +248,10 @@ void check_jumps(const PlcFormat& format, const std::vector<CamPiece>& pieces,
     }
 }
 
-std::array<std::optional<CamDifference>, 4> loss_of_pieces(const PlcFormat& format,
-                                                           std::vector<CamPiece> pieces,
-                                                           double slave_at_start, const MasterCurve& curve) {
-    for (CamPiece& piece : pieces) piece.coefficients.front() += slave_at_start;
-    const int orders = format.straight_lines ? 2 : 4;
-    const std::array<CamDifference, 4> found = cam_loss(curve, pieces, orders);
-    std::array<std::optional<CamDifference>, 4> loss;
-    for (std::size_t r = 0; r < static_cast<std::size_t>(orders); ++r) loss[r] = found[r];
-    return loss;
-}
-
 void keep_larger_loss(std::array<std::optional<CamDifference>, 4>& loss,
                       const std::array<std::optional<CamDifference>, 4>& other) {
     for (std::size_t r = 0; r < loss.size(); ++r)
-        if (loss[r] && other[r] && other[r]->value > loss[r]->value) loss[r] = other[r];
+        if (other[r] && (!loss[r] || other[r]->value > loss[r]->value)) loss[r] = other[r];
 }
 
 /// What was found in the file, with the motion's peaks.
@@ -298,7 +281,7 @@ class PlcWriter {
 
     PlcResult write(const PlcFormat& format, const PlcOptions& options,
                     std::vector<FolderFile>& files) const {
-        PlcTable table = format.prepare(curve_, options, format);
+        PlcTable table = prepared_table(curve_, options, format);
         PlcResult result;
         result.format = &format;
         result.count = format.count_of(table.pieces);
@@ -306,28 +289,21 @@ class PlcWriter {
         check_jumps(format, table.pieces, peaks_);
         if (solution_.scene.motion.speed) table.speed = degrees_shown.of(*solution_.scene.motion.speed);
         result.units = table.units;
-        result.slave_at_start = table.slave_at_start;
-        result.loss = loss_in(format, format.write(table), table);
-        if (!format.text_file.empty())
+        for (const std::string& file : format.files()) {
+            const std::string text = written_file(format, file, table);
             keep_larger_loss(result.loss,
-                             loss_of_pieces(format, format.read_text(format.write_text(table), table.units),
-                                            table.slave_at_start, curve_));
+                             plc_loss(format, read_file(format, file, text, table.units), curve_));
+        }
         result.drift_per_turn = drift(format, table);
         judge(result, curve_, peaks_);
         table.header = plc_header(solution_, curve_, result);
-        files.push_back({format.file, format.write(table)});
-        if (!format.text_file.empty()) files.push_back({format.text_file, format.write_text(table)});
+        for (const std::string& file : format.files())
+            files.push_back({file, written_file(format, file, table)});
         files.push_back({plc_check_name(format), check_json(solution_, curve_, result)});
         return result;
     }
 
  private:
-    [[nodiscard]] std::array<std::optional<CamDifference>, 4> loss_in(const PlcFormat& format,
-                                                                      const std::string& text,
-                                                                      const PlcTable& table) const {
-        return plc_loss(format, text, table.units, table.slave_at_start, curve_);
-    }
-
     /// Of a format with whole periods: what SlavePeriod is off the travel of a turn.
     [[nodiscard]] double drift(const PlcFormat& format, const PlcTable& table) const {
         if (!format.whole_periods) return 0.0;
@@ -353,10 +329,14 @@ double figure_not_exceeded(double value) {
     return as_written(std::ceil(value / grain * (1.0 - rounding)) * grain);
 }
 
-std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format, const std::string& text,
-                                                     const PlcUnits& units, double slave_at_start,
+std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format,
+                                                     const std::vector<CamPiece>& pieces,
                                                      const MasterCurve& curve) {
-    return loss_of_pieces(format, format.read(text, units), slave_at_start, curve);
+    const std::size_t orders = format.straight_lines ? 2 : 4;
+    const std::array<CamDifference, 4> found = cam_loss(curve, pieces, static_cast<int>(orders));
+    std::array<std::optional<CamDifference>, 4> loss;
+    std::copy_n(found.begin(), orders, loss.begin());
+    return loss;
 }
 
 void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>& formats) {

@@ -27,7 +27,6 @@ struct PlcResult {
     const PlcFormat* format = nullptr;
     int count = 0;
     PlcUnits units;
-    double slave_at_start = 0.0;
     std::array<std::optional<CamDifference>, 4> loss;  ///< slave units by degʳ, rounded up
     std::array<double, 4> of_peak{};                   ///< the same by the motion's own peak
     bool lossless = false;
@@ -60,11 +59,9 @@ void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>&
 /// To three digits, away from zero.
 [[nodiscard]] double figure_not_exceeded(double value);
 
-/// What the text of a file of that format is off the motion, as the controller evaluates it.
+/// What pieces that were read of a file of that format are off the motion.
 [[nodiscard]] std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format,
-                                                                   const std::string& text,
-                                                                   const PlcUnits& units,
-                                                                   double slave_at_start,
+                                                                   const std::vector<CamPiece>& pieces,
                                                                    const MasterCurve& curve);
 
 }  // namespace camopt

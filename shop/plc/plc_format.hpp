@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The table of controllers: one row a format. Whatever lists, writes, reads back or documents them iterates.
 //
-// A row makes pieces of the motion (what the controller can hold), writes them, and reads its own text back
-// as the controller does: its number types, its degree, its rule between points. A new format is a source in
-// formats/ and a row.
+// A row says what the controller can hold and what it makes of the numbers of a file: its degree, its rule
+// between points. Its file is written and read back by the template of that name (plc_template.hpp). A new
+// format is a template and a row.
 #pragma once
 
 #include "shop/plc/cam_pieces.hpp"
 
 namespace camopt {
 
-/// What one unit of the numbers in a file is.
+/// What one unit of the numbers in a file is, and what they count from.
 struct PlcUnits {
     double master = 1.0;  ///< deg
     double slave = 1.0;   ///< mm, of a swinging output deg
+    double start = 0.0;   ///< was taken off every slave position; mm or deg
 };
 
 struct PlcOptions {
@@ -24,9 +25,23 @@ struct PlcOptions {
 struct PlcTable {
     std::vector<CamPiece> pieces;  ///< deg, mm or deg
     PlcUnits units;
-    double slave_at_start = 0.0;      ///< what was taken off every slave position; mm or deg
     std::optional<double> speed;      ///< deg/s of the master, where the scene has one
     std::vector<std::string> header;  ///< lines of comment
+};
+
+/// Numbers of a file by their placeholders ("to.s:REAL"); in deg, mm or deg.
+struct PlcNumbers {
+    std::vector<std::pair<std::string, double>> all;
+
+    [[nodiscard]] std::optional<double> find(std::string_view name) const;
+    /// Throws ModelError where the template has no such placeholder.
+    [[nodiscard]] double at(std::string_view name) const;
+};
+
+/// What was read of a file.
+struct PlcReading {
+    std::vector<PlcNumbers> elements;
+    PlcNumbers rest;
 };
 
 enum class PlcCount { points, pieces };
@@ -44,19 +59,26 @@ struct PlcFormat {
     std::string limit_words = {};   ///< who holds no more: "a cam read from a file"
     std::string limit_note = {};    ///< "library parameter ..."; mostly empty
     int shared = 0;  ///< highest derivative of which a point has one for both sides: no jump of it is held
-    bool straight_lines = false;  ///< acceleration and jerk have no meaning
-    bool relative = false;        ///< slave positions count from the first
-    bool whole_periods = false;   ///< the travel of a turn is a whole number of slave units
-    std::string text_file = {};   ///< a second file with the same numbers; mostly empty
+    bool straight_lines = false;     ///< acceleration and jerk have no meaning
+    bool relative = false;           ///< slave positions count from the first
+    bool whole_periods = false;      ///< the travel of a turn is a whole number of slave units
+    std::optional<int> points = {};  ///< where PlcOptions has none
+    std::string text_file = {};      ///< a second file with the same numbers; mostly empty
 
+    /// What the controller makes of the numbers of a file.
+    std::vector<CamPiece> (*evaluate)(const PlcReading& reading) = nullptr;
+    /// The next master position that the controller can hold; none: all.
+    double (*master)(double theta) = nullptr;
+    /// Of the numbers in the file; none: 1 deg, 1 mm or deg.
+    PlcUnits (*units)(const MasterCurve& curve) = nullptr;
+    /// Where the pieces are not simply fitted.
     PlcTable (*prepare)(const MasterCurve& curve, const PlcOptions& options,
                         const PlcFormat& format) = nullptr;
-    std::string (*write)(const PlcTable& table) = nullptr;
-    /// Throws InputError for a text that is no such file.
-    std::vector<CamPiece> (*read)(std::string_view text, const PlcUnits& units) = nullptr;
-    std::string (*write_text)(const PlcTable& table) = nullptr;
-    std::vector<CamPiece> (*read_text)(std::string_view text, const PlcUnits& units) = nullptr;
+    /// A number of the template that is not of the motion alone.
+    double (*own_number)(const PlcTable& table, const CamPiece& piece, double theta,
+                         std::string_view name) = nullptr;
 
+    [[nodiscard]] std::vector<std::string> files() const;
     [[nodiscard]] int count_of(const std::vector<CamPiece>& pieces) const {
         return static_cast<int>(pieces.size()) + (counted == PlcCount::points ? 1 : 0);
     }
@@ -69,22 +91,8 @@ struct PlcFormat {
 [[nodiscard]] const PlcFormat& plc_format(std::string_view key);
 [[nodiscard]] std::vector<std::string> plc_format_keys();
 
-/// Of a table whose slave positions count from the first: takes that off, and remembers it.
-void count_from_start(PlcTable& table);
-
-/// FitOptions of the row, then fitted_pieces.
-[[nodiscard]] PlcTable fitted_table(const MasterCurve& curve, const PlcOptions& options,
-                                    const PlcFormat& format);
-
-// The rows of plc_format.hpp, a source each. Where the fields come from: docs/plc.md.
-
-[[nodiscard]] PlcFormat codesys_format();
-[[nodiscard]] PlcFormat twincat_format();
-[[nodiscard]] PlcFormat siemens_format();
-[[nodiscard]] PlcFormat br_format();
-[[nodiscard]] PlcFormat rockwell_format();
-[[nodiscard]] PlcFormat omron_format();
-[[nodiscard]] PlcFormat lenze_format();
-[[nodiscard]] PlcFormat coefficient_csv_format();
+/// The motion as the controller of the row can hold it.
+[[nodiscard]] PlcTable prepared_table(const MasterCurve& curve, const PlcOptions& options,
+                                      const PlcFormat& format);
 
 }  // namespace camopt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Electronic cams: pieces, what they lose, and the table of formats.
 #include "shop/plc/plc_export.hpp"
+#include "shop/plc/plc_template.hpp"
 #include "tests/report/sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -20,7 +21,7 @@ MasterCurve curve_of(const Solution& solution) {
 }
 
 PlcTable table_of(const PlcFormat& format, const MasterCurve& curve, const PlcOptions& options = {}) {
-    return format.prepare(curve, options, format);
+    return prepared_table(curve, options, format);
 }
 
 TEST(MasterCurve, CoversCycleInMachineUnits) {
@@ -85,7 +86,7 @@ TEST(PlcFormats, HaveRowsThatAreComplete) {
         SCOPED_TRACE(format.key);
         EXPECT_EQ(&plc_format(format.key), &format);
         EXPECT_FALSE(format.file.empty() || format.controller.empty() || format.element.empty());
-        EXPECT_EQ(format.text_file.empty(), format.write_text == nullptr);
+        EXPECT_TRUE(format.evaluate);
         EXPECT_EQ(format.limit.has_value(), !format.limit_words.empty());
     }
     EXPECT_EQ(refusal([] { (void)plc_format("bosch"); }),
@@ -97,8 +98,9 @@ TEST(PlcFormats, NoticeASpoiledFile) {
     for (const PlcFormat& format : plc_formats()) {
         SCOPED_TRACE(format.key);
         const PlcTable table = table_of(format, curve);
-        const std::string text = format.write(table);
-        const double good = plc_loss(format, text, table.units, table.slave_at_start, curve)[0]->value;
+        const std::string text = written_file(format, format.file, table);
+        const double good =
+            plc_loss(format, read_file(format, format.file, text, table.units), curve)[0]->value;
         EXPECT_LT(good, 1e-3);
         // The last number that is 10 mm, 10000 units: one tenth of it.
         const std::string ten = format.key == "br" ? "10000.0" : "10.0";
@@ -107,12 +109,88 @@ TEST(PlcFormats, NoticeASpoiledFile) {
         std::string spoiled = text;
         spoiled[place] = '2';
         try {
-            EXPECT_GT(plc_loss(format, spoiled, table.units, table.slave_at_start, curve)[0]->value, 1.0);
+            EXPECT_GT(plc_loss(format, read_file(format, format.file, spoiled, table.units), curve)[0]->value,
+                      1.0);
         } catch (const InputError&) {  // the file contradicts itself
         }
-        EXPECT_THROW((void)format.read("", table.units), InputError);
+        EXPECT_THROW((void)read_file(format, format.file, "", table.units), InputError);
     }
 }
+
+std::string sample_file(const PlcFormat& format, const std::string& file, PlcTable& table, int points) {
+    table = table_of(format, curve_of(test::sample_solution()), {.points = points});
+    return written_file(format, file, table);
+}
+
+TEST(PlcTemplates, RefuseAnyOtherCharacter) {
+    for (const PlcFormat& format : plc_formats()) {
+        for (const std::string& file : format.files()) {
+            SCOPED_TRACE(file);
+            PlcTable table;
+            const std::string text = sample_file(format, file, table, 3);
+            EXPECT_NO_THROW((void)read_file(format, file, text, table.units));
+            bool comment = false;
+            for (std::size_t i = 0; i < text.size(); ++i) {
+                comment = text[i] != '\n' && (comment || text.substr(i, 2) == "//");
+                if (comment || text[i] == '\n' || text[i] == ' ') continue;
+                std::string changed = text;
+                changed[i] = '~';
+                EXPECT_THROW((void)read_file(format, file, changed, table.units), InputError) << i;
+            }
+        }
+    }
+}
+
+struct Spoiled {
+    std::string format, find, with, words;
+};
+
+class PlcTemplate : public testing::TestWithParam<Spoiled> {};
+
+TEST_P(PlcTemplate, ReportsWhatIsWrong) {
+    const auto& [key, find, with, words] = GetParam();
+    const PlcFormat& format = plc_format(key);
+    PlcTable table;
+    std::string text = sample_file(format, format.file, table, 5);
+    const std::size_t place = text.find(find);
+    ASSERT_NE(place, std::string::npos) << text;
+    text.replace(place, find.size(), with);
+    EXPECT_EQ(refusal([&] { (void)read_file(format, format.file, text, table.units); }),
+              "an electronic cam: " + words);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, PlcTemplate,
+    testing::Values(
+        Spoiled{"twincat", "POLYNOM5_MM", "POLYNOM3",
+                "line 7 of twincat: found \"Points[1].FunctionType := MOTIONFUNCTYPE_POLYNOM3\"; allowed: "
+                "Points[1].FunctionType := MOTIONFUNCTYPE_POLYNOM5_MM"},
+        Spoiled{"codesys", "SMC_CAMXYVA", "SMC_CAMXYV",
+                "line 3 of codesys: found \"Points : ARRAY[0..4] OF SMC_CAMXYV\"; allowed: Points : "
+                "ARRAY[0..4] OF SMC_CAMXYVA"},
+        Spoiled{"codesys", "nElements := 5", "nElements := 4",
+                "line 16 of codesys: found \"Cam.nElements := 4\"; allowed: Cam.nElements := 5"},
+        Spoiled{"codesys", "Points[2].dX", "Points[1].dX",
+                "line 9 of codesys: found \"Points[1].dX := 180.0\"; allowed: Points[2].dX := {x}"},
+        Spoiled{"codesys", "Points[0].dV := 0.0; ", "",
+                "line 7 of codesys: found \"Points[0].dA := 0.0\"; allowed: Points[0].dV := {v}"},
+        Spoiled{"codesys", "Cam.xEnd := 360.0", "Cam.xEnd := 350.0",
+                "codesys: found 350 as {end.x}; allowed: 360, which follows from the other numbers"},
+        Spoiled{"codesys", "dY := 10.0", "dY := ten",
+                "line 8 of codesys: found \"Points[1].dY := ten\"; allowed: Points[1].dY := {s}"},
+        Spoiled{"rockwell", "Profile[1].Slave := 10.0", "Profile[1].Slave := 11.0",
+                "rockwell: found 11 as {s} of element 1; allowed: 10, which follows from the other numbers"},
+        Spoiled{"br", "SlavePeriod := 10000", "SlavePeriod := 10002",
+                "br: found 10.002 as {end.s:DINT}; allowed: 10, which follows from the other "
+                "numbers"},
+        Spoiled{"br", "[0].a := 0.0", "[0].a := 1.0",
+                "br: found 0.001 as the first slave position; allowed: 0"},
+        Spoiled{"lenze", "360.0 10.0\n", "360.0 10.0 5.0\n",
+                "line 5 of lenze: found \"360.0 10.0 5.0\"; allowed: {x} {s}"},
+        Spoiled{"csv", "c4,c5", "c5,c4",
+                "line 1 of csv: found \"from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c5,c4\"; "
+                "allowed: from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c4,c5"}),
+    [](const auto& one) { return one.param.format + std::to_string(one.index); });
 
 TEST(PlcExport, StatedLossIsUpperBound) {
     const Solution solution = test::program_solution();
@@ -126,7 +204,8 @@ TEST(PlcExport, StatedLossIsUpperBound) {
             std::find_if(exported.files.begin(), exported.files.end(),
                          [&](const FolderFile& one) { return one.name == result.format->file; });
         ASSERT_NE(file, exported.files.end());
-        const auto found = plc_loss(*result.format, file->text, result.units, result.slave_at_start, curve);
+        const auto found =
+            plc_loss(*result.format, read_file(*result.format, file->name, file->text, result.units), curve);
         for (std::size_t r = 0; r < found.size(); ++r) {
             ASSERT_EQ(found[r].has_value(), result.loss[r].has_value());
             if (!found[r]) continue;
