@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The files that the shop makes of a solution, by name, for report/exports/exports.hpp.
 //
-//   with a motion          an electronic cam of each controller (codesys.st, …, shop/plc/plc_format.hpp)
+//   with a motion          an electronic cam of each controller (codesys.st, …, shop/plc/plc_formats.hpp)
 //   plane cam              profile.dxf
 //   disk cam               drawing.pdf, drawing.svg, drawing.dxf (workshop drawing), cam.step, cam.stl,
 //                          cam.nc, cam_nc_check.txt, cam_nc.svg; of the second disk of a conjugate cam

@@ -7,7 +7,7 @@
 
 #include "scene/key_row.hpp"
 #include "shop/nc/milling/milling_choice.hpp"
-#include "shop/plc/plc_format.hpp"
+#include "shop/plc/plc_formats.hpp"
 #include "shop/sheet/cam_sheet.hpp"
 
 namespace camopt {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What controllers make of the numbers of a file, and what some of them can hold: functions that rows of
-// plc_format.hpp name. Where the fields come from: docs/plc.md.
+// plc_formats.cpp name. Where the fields come from: docs/plc.md.
 #pragma once
 
 #include "shop/plc/plc_format.hpp"

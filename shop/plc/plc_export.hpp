@@ -18,7 +18,7 @@
 #pragma once
 
 #include "report/document/run_origin.hpp"
-#include "shop/plc/plc_format.hpp"
+#include "shop/plc/plc_formats.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {

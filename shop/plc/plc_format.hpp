@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The table of controllers: one row a format. Whatever lists, writes, reads back or documents them iterates.
+// A row of the table of controllers (plc_formats.hpp).
 //
-// A row says what the controller can hold and what it makes of the numbers of a file: its degree, its rule
-// between points. Its file is written and read back by the template of that name (plc_template.hpp). A new
-// format is a template and a row.
+// It says what the controller can hold and what it makes of the numbers of a file: its degree, its rule
+// between points. Its file is written and read back by the template of that name (plc_template.hpp).
 #pragma once
 
 #include "shop/plc/cam_pieces.hpp"
@@ -85,11 +84,6 @@ struct PlcFormat {
     /// The most pieces that a fit may make.
     [[nodiscard]] int most_pieces() const;
 };
-
-[[nodiscard]] const std::vector<PlcFormat>& plc_formats();
-/// Throws InputError naming the keys there are.
-[[nodiscard]] const PlcFormat& plc_format(std::string_view key);
-[[nodiscard]] std::vector<std::string> plc_format_keys();
 
 /// The motion as the controller of the row can hold it.
 [[nodiscard]] PlcTable prepared_table(const MasterCurve& curve, const PlcOptions& options,

@@ -12,7 +12,7 @@ import source_tree
 FILE = re.compile(r'"([a-z_]+\.(?:csv|svg|json|html|md|dxf|pdf|step|stl|nc|obj|st|scl|txt|toml))"')
 # Where else a row is demanded: file, a pattern of what is said there, and what it is.
 WORDS = (
-    ("shop/plc/plc_format.cpp", r'\.key = "(\w+)"', "controller"),
+    ("shop/plc/plc_formats.cpp", r'\.key = "(\w+)"', "controller"),
     ("apps/first_commands.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
     ("apps/more_commands.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
     ("apps/export_options.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),

@@ -32,7 +32,7 @@ CLEAN = {
     "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(camopt VERSION 0.2.0 LANGUAGES CXX)\n",
     "tests/pairs/pairs.py": '# SPDX-License-Identifier: MIT\nOUTPUTS = {"result": ("solve", [], ["motion.csv"])}\n'
                             'KINDS = {"rise": (["DRD", "disk"], "", [])}\nELSEWHERE = {}\n',
-    "shop/plc/plc_format.cpp": SPDX + 'auto b = {.key = "result"};\n',
+    "shop/plc/plc_formats.cpp": SPDX + 'auto b = {.key = "result"};\n',
     "CHANGELOG.md": "# Changelog\n## [Unreleased]\n## [0.2.0] – 2026-01-31\n## [0.1.0] – 2026-01-30\n",
     "CITATION.cff": "version: 0.2.0\ndate-released: 2026-01-31\n",
     "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
@@ -104,7 +104,7 @@ PLANTED = [
     ("skips", "tests.xml", "<testsuite><testcase name='Rise.Ends' status='notrun'><skipped/></testcase></testsuite>\n",
      "Rise.Ends was skipped"),
     ("pairs", "report/b.cpp", SPDX + 'auto b = "new_chart.svg";\n', "the file new_chart.svg has no row"),
-    ("pairs", "shop/plc/plc_format.cpp", SPDX + 'auto b = {.key = "beckhoff"};\n', "the controller beckhoff has no row"),
+    ("pairs", "shop/plc/plc_formats.cpp", SPDX + 'auto b = {.key = "beckhoff"};\n', "the controller beckhoff has no row"),
     ("pairs", "profiles/kinds/cam_kinds.cpp", SPDX + "auto b = {disk_kind(), linear_kind()};\n", "the type of cam linear has no row"),
     ("pairs", "apps/more_commands.cpp", SPDX + 'auto b = program.add_subcommand(\n        "tolerances", "What");\n',
      "the command tolerances has no row"),
