@@ -42,7 +42,9 @@ def check(path, tolerance):
     assert not auditor.has_fixes, [error.message for error in auditor.fixes]
     assert drawing.dxfversion == "AC1015", drawing.dxfversion
     assert drawing.units == MILLIMETRES, drawing.units
-    assert LAYERS <= {layer.dxf.name for layer in drawing.layers}
+    used = {entity.dxf.layer for entity in drawing.modelspace()}
+    assert "CAM" in used and used <= LAYERS, used
+    assert used <= {layer.dxf.name for layer in drawing.layers}, used
     outlines = drawing.modelspace().query("LWPOLYLINE[layer=='CAM']")
     assert len(outlines) == 1 and outlines[0].closed
     vertices = list(outlines[0].get_points("xyb"))
