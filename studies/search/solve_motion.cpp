@@ -90,14 +90,17 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
     const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
     const PlannedRun part{run.posed, run.plan, timed, run.known};
     exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
-    const ExchangeOptions given = exchange;
-    exchange.backend.native.emplace("regularisation", fine_shift);
-    exchange.backend.native.emplace("patience", long_patience);
-    try_again(part, solver, exchange, judge, problem, result);
-    if (result.certificate.gap.value_or(infinity) <= nearly_proved) return;
-    exchange = given;
-    exchange.backend.exact_steps = ExactSteps::always;
-    try_again(part, solver, exchange, judge, problem, result);
+    const auto proves = [&](const ExchangeOptions& options) {
+        try_again(part, solver, options, judge, problem, result);
+        return result.certificate.gap.value_or(infinity) <= nearly_proved;
+    };
+    ExchangeOptions fine = exchange, exact = exchange;
+    fine.backend.native.emplace("regularisation", fine_shift);
+    fine.backend.native.emplace("patience", long_patience);
+    exact.backend.exact_steps = ExactSteps::always;
+    if (proves(fine) || proves(exact)) return;
+    fine.enough = nullptr;  // rows of a later round may make a problem well posed that was not
+    proves(fine);
 }
 
 /// The smoothest optimum of a relaxation that satisfies the rules of the whole is that of the whole, and the

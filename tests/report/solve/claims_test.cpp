@@ -198,6 +198,7 @@ TEST(InfeasibleClaims, LimitsImpossibleAloneAreRelaxedTogether) {
     scene.limits.pressure_angle->value = 20 * degree;
     scene.limits.velocity = cap("limits.velocity", 0.9);
     scene.limits.acceleration = cap("limits.acceleration", 3.0);
+    scene.solver.explain_seconds = 30.0;  // enough on a busy machine
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);

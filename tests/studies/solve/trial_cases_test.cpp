@@ -4,6 +4,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/support/solved_scene.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,6 +34,18 @@ TEST_P(TrialCases, HaveTheRightOptimum) {
     EXPECT_NEAR(certificate.objective, GetParam().objective, GetParam().tolerance);
     EXPECT_LE(*certificate.lower_bound, certificate.objective + 1e-9);
     EXPECT_GE(*certificate.lower_bound, certificate.objective - 1e-4 * std::max(1.0, certificate.objective));
+}
+
+// The last digits of a weight decide whether the first attempts of the structured solver end: another one
+// does.
+TEST(TrialCase, IsProvedWithNeighbouringWeights) {
+    for (int i = 1; i <= 6; ++i) {
+        const Solution solution = solve(
+            scene_named("area_below_zero_false_optimal")
+                .with("solver.name = \"structured\"", fmt::format("objective.jerk = 0.001000000000{}", i)));
+        EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << i;
+        EXPECT_NEAR(solution.certificate.objective, -0.42259666, 2e-7) << i;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Area, TrialCases,

@@ -59,6 +59,7 @@ TEST(WithinLift, SlowReturnStaysAboveStart) {
 TEST(WithinLift, CoarseSplineIsReported) {
     Scene scene = scene_named("very_slow_return");
     scene.spline.by_stroke = false;
+    scene.solver.explain_seconds = 30.0;  // enough on a busy machine
     const Solution solution = solve(scene);
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_FALSE(solution.conflict.empty());
