@@ -65,6 +65,18 @@ function(camopt_compile_alone target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# camopt_embed_text(<function> <header> <folder> <files …>): <function>_text.cpp in the binary folder defines <function>(name), declared
+# in <header>, which returns the text of one of the files, named from <folder>.
+function(camopt_embed_text function header folder)
+  list(JOIN ARGN "," names)
+  list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE files)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${function}_text.cpp)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DROOT=${folder} -DNAMES=${names} -DFUNCTION=${function} -DHEADER=${header} -P ${script}
+    DEPENDS ${files} ${script} COMMENT "Embedding the texts of ${function}" VERBATIM)
+endfunction()
+
 # camopt_compile_with(<target> <source> <options …>): alone, without precompiled headers, with further options.
 function(camopt_compile_with target source)
   set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS ${ARGN})

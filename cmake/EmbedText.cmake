@@ -1,13 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Text files as strings of a C++ program, at build time:
-#   cmake -DOUTPUT=file.cpp -DROOT=folder -DNAMES=a.js,b.css -P EmbedText.cmake
-# defines camopt::page_asset(name), which returns the text of one of them; with -DFUNCTION=other -DHEADER=other.hpp
-# another function, declared in another header.
+# Text files as strings of a C++ program, at build time (camopt_embed_text):
+#   cmake -DOUTPUT=file.cpp -DROOT=folder -DNAMES=a.js,b.css -DFUNCTION=page_asset -DHEADER=page.hpp -P EmbedText.cmake
+# defines camopt::page_asset(name), declared in page.hpp, which returns the text of one of them.
 string(REPLACE "," ";" names "${NAMES}")
-if(NOT FUNCTION)
-  set(FUNCTION page_asset)
-  set(HEADER report/page/page_parts.hpp)
-endif()
 set(code "// Made by cmake/EmbedText.cmake.\n#include \"${HEADER}\"\n\n#include \"core/errors.hpp\"\n\nnamespace camopt {\n\n")
 string(APPEND code "std::string_view ${FUNCTION}(std::string_view name) {\n")
 foreach(name IN LISTS names)

@@ -19,13 +19,12 @@ using Kind = Sentence::Kind;
 constexpr std::size_t most_characters = 60;  // of a value in a line: longer lists stand in the file
 
 /// "lift 12 mm", of a limit "cam radius >= 5 mm".
-std::string key_text(const input::WrittenKey& key, bool limit) {
-    const std::string name = key.key.substr(key.key.rfind('.') + 1);
+std::string key_text(const input::WrittenKey& key, std::string_view name, bool limit) {
     std::string value = key.value;
     const bool one = value.front() != '[' && value.front() != '{';
     if (value.front() == '"') value = value.substr(1, value.size() - 2);
     if (!one && value.size() > most_characters) value = value.substr(0, most_characters) + " …";
-    const bool least = name.find("_min") != std::string::npos;
+    const bool least = name.find("_min") != std::string_view::npos;
     const std::string_view sign = !limit || !one ? "" : least ? ">= " : "<= ";
     return fmt::format("{} {}{}{}{}", key_words(name).words, sign, value, key.unit.empty() ? "" : " ",
                        key.unit);
@@ -40,11 +39,11 @@ std::vector<std::string> scene_lines(const std::vector<input::WrittenKey>& keys)
         items.clear();
     };
     for (const input::WrittenKey& key : keys) {
-        const std::size_t dot = key.key.rfind('.');
-        const std::string table = dot == std::string::npos ? "" : key.key.substr(0, dot);
+        const std::size_t name = key.key.rfind('.') + 1;  // npos + 1 is 0
+        const std::string table = key.key.substr(0, name == 0 ? 0 : name - 1);
         if (table != last) finish();
         last = table;
-        append_item(items, key_text(key, table == "limits"));
+        append_item(items, key_text(key, std::string_view(key.key).substr(name), table == "limits"));
     }
     finish();
     return lines;

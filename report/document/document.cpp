@@ -117,13 +117,6 @@ std::vector<std::string> Document::sentences(std::initializer_list<Sentence::Kin
     return all;
 }
 
-std::vector<const Table*> Document::shown_tables(unsigned to) const {
-    std::vector<const Table*> all;
-    for (const Section& section : sections)
-        std::ranges::copy(section.shown_tables(to), std::back_inserter(all));
-    return all;
-}
-
 std::vector<const Picture*> Document::pictures() const {
     std::vector<const Picture*> all;
     for (const Section& section : sections)

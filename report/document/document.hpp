@@ -201,7 +201,6 @@ struct Document {
     /// Of all sections, in their order.
     [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<Sentence::Kind> kinds,
                                                      unsigned to = Where::everywhere) const;
-    [[nodiscard]] std::vector<const Table*> shown_tables(unsigned to = Where::texts) const;
     [[nodiscard]] std::vector<const Picture*> pictures() const;
     [[nodiscard]] const Curves* curves() const;  ///< the first; null: none
 };

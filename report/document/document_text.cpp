@@ -158,7 +158,7 @@ std::string cells_csv(const Document& document) {
         text += cell_line("figures", figure->field.key, place.cell, place.field);
     }
     for (const Section& section : document.sections) {
-        if (!section.code.empty()) continue;  // a file of its own says it
+        if (!section.code.empty()) continue;  // its file says it
         for (const Table* table : section.shown_tables(Where::texts))
             for (std::size_t r = 0; r < table->rows.size(); ++r)
                 for (std::size_t i = 0; i < table->rows[r].size(); ++i)

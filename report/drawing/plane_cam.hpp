@@ -3,13 +3,11 @@
 //
 //   cam_outlines     cam frame (profile_shape.hpp): cam; second, second-pitch (conjugate disks); groove, rim;
 //                    wall-left, wall-right (guide); pitch, circle (base), prime; open
-//   add_mechanism    link, face, roller, guide where the motion begins; ghost: a disk cam's follower every
-//   60°
-//                    of the cam, a linkage at both ends of its output; slot, and the roller of a guide at
-//                    both ends
+//   add_mechanism    link, face, roller, guide where the motion begins; ghost: a disk cam's follower
+//                    every 60° of the cam, a linkage at both ends of its output; slot, and the roller of a
+//                    guide at both ends
 //   add_marks        mark, undercut, ring, center, arrow, arrow-head, joint, dot, ground, pivot, slider:
-//   marks
-//                    whose size is that of the picture
+//                    marks whose size is that of the picture
 #pragma once
 
 #include "report/drawing/drawing.hpp"

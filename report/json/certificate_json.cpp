@@ -292,9 +292,7 @@ std::string certificate_json(const Certificate& certificate) {
 }
 
 Certificate certificate_of_text(std::string_view json, std::string_view name) {
-    Certificate certificate;
-    JsonFields(json, name, "a certificate").get(certificate);
-    return certificate;
+    return JsonFields(json, name, "a certificate").as<Certificate>();
 }
 
 Certificate read_whole_certificate(const std::filesystem::path& path) {
@@ -304,9 +302,7 @@ Certificate read_whole_certificate(const std::filesystem::path& path) {
 DualityProof read_certificate(const std::filesystem::path& path) {
     const JsonFields stored = JsonFields(read_text_file(path), path.string(), "a certificate").at("proof");
     if (stored.is_null()) stored.fail("the certificate holds no proof");
-    DualityProof proof;
-    stored.get(proof);
-    return proof;
+    return stored.as<DualityProof>();
 }
 
 }  // namespace camopt

@@ -147,6 +147,12 @@ class JsonFields {
     [[nodiscard]] std::vector<std::pair<std::string, JsonFields>> members() const;
     template <class T>
     void get(T& value, std::optional<double> null = {}) const;
+    template <class T>
+    [[nodiscard]] T as() const {
+        T value;
+        get(value);
+        return value;
+    }
     [[noreturn]] void fail(std::string_view what) const;
     [[noreturn]] void refuse(std::string_view allowed) const;  ///< "found (this value); allowed: …"
 

@@ -74,9 +74,7 @@ std::string sweep_json(const StoredSweep& sweep) {
 }
 
 StoredSweep read_sweep_json(std::string_view text, std::string_view name) {
-    StoredSweep sweep;
-    JsonFields(text, name, "a description of a sweep").get(sweep);
-    return sweep;
+    return JsonFields(text, name, "a description of a sweep").as<StoredSweep>();
 }
 
 std::string surface_json(const SurfaceIdentity& identity, const TradeOffSurface& surface) {

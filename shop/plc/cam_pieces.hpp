@@ -10,6 +10,11 @@
 
 namespace camopt {
 
+/// As a REAL of IEC 61131-3, a float32, holds it.
+[[nodiscard]] inline double as_real(double value) {
+    return static_cast<double>(static_cast<float>(value));
+}
+
 struct MasterStretch {
     double from = 0.0, to = 0.0;  ///< deg
 };

@@ -123,10 +123,6 @@ double siemens_number(const PlcTable&, const CamPiece& piece, double, std::strin
     return rests_throughout(piece) ? profile_dwell : profile_poly5;
 }
 
-double omron_master(double theta) {
-    return static_cast<double>(static_cast<float>(theta));
-}
-
 double omron_number(const PlcTable& table, const CamPiece& piece, double theta, std::string_view name) {
     constexpr double pitch = 0.1, one_second = 1.0;
     if (name == "pitch") return pitch;
@@ -144,7 +140,7 @@ void append_omron_points(std::vector<EndState>& points, const EndState& from, co
     for (int k = 1; from.theta + k * pitch < to.theta - same_phase * pitch; ++k) {
         const double phase = from.theta + k * pitch, t = (phase - from.theta) / (to.theta - from.theta);
         const double s = from.s + t * (v0 + t * (3.0 * rise - 2.0 * v0 - v1 + t * (v0 + v1 - 2.0 * rise)));
-        points.push_back({omron_master(phase), static_cast<double>(static_cast<float>(s)), 0.0, 0.0});
+        points.push_back({as_real(phase), as_real(s), 0.0, 0.0});
     }
     points.push_back(to);
 }
@@ -171,7 +167,7 @@ constexpr double br_master_unit = 1e-3;  // deg
 }  // namespace
 
 double br_master(double theta) {
-    return static_cast<double>(static_cast<float>(theta / br_master_unit)) * br_master_unit;
+    return as_real(theta / br_master_unit) * br_master_unit;
 }
 
 PlcUnits br_units(const MasterCurve& curve) {

@@ -43,8 +43,6 @@ namespace camopt {
 /// {velocity}, {cycle}, {pitch}
 [[nodiscard]] double omron_number(const PlcTable& table, const CamPiece& piece, double theta,
                                   std::string_view name);
-/// The next degree that a REAL holds.
-[[nodiscard]] double omron_master(double theta);
 
 // B&R ACP10: MC_CAMPROFILE_TYP. Polynomials of degree 6 with REAL coefficients, periods as whole units.
 //

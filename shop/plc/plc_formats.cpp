@@ -79,7 +79,7 @@ const std::vector<PlcFormat>& plc_formats() {
          .straight_lines = true,
          .relative = true,
          .evaluate = omron_points,
-         .master = omron_master,
+         .master = as_real,
          .own_number = omron_number},
         {.key = "lenze",
          .file = "lenze.txt",

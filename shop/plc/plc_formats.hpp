@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of controllers: one row a format. Whatever lists, writes, reads back or documents them iterates.
-// A new format is a template and a row.
+// The table of controllers: one row a format. Lists, writers, readers and documents iterate over it. A new
+// format is a template and a row.
 #pragma once
 
 #include "shop/plc/plc_format.hpp"

@@ -112,7 +112,7 @@ double number_at(const PlcFormat& format, const PlcTable& table, int index, cons
 /// A literal of type REAL or LREAL has digits on both sides of a point, before an exponent too.
 std::string literal(double value, const Placeholder& what) {
     constexpr double most = std::numeric_limits<std::int32_t>::max();
-    if (what.type == "REAL") value = static_cast<double>(static_cast<float>(value));
+    if (what.type == "REAL") value = as_real(value);
     if (value == 0.0) value = 0.0;  // no minus
     if (what.type == "DINT" && !(std::abs(std::round(value)) <= most))
         throw InputError(fmt::format("an electronic cam: found {:.0f} as {{{}}}; allowed: a DINT, up to {}",
@@ -129,7 +129,7 @@ std::optional<double> parsed(std::string_view text, std::string_view type) {
     if (type == "DINT" && !integer_in(text)) return std::nullopt;
     if (!value || type != "REAL") return value;
     if (std::abs(*value) > static_cast<double>(std::numeric_limits<float>::max())) return std::nullopt;
-    return static_cast<double>(static_cast<float>(*value));
+    return as_real(*value);
 }
 
 /// What is said of a place in a line: the statement there.
