@@ -70,6 +70,11 @@ Fault axis_fault(const MachineSpec& machine, std::size_t index) {
                           "an angle above -360 deg and below 360 deg: within the cycle"};
     if (Fault fault = motion_fault(axis.scene))
         return SceneFault{member + ".scene." + fault->member, fault->found, fault->allowed};
+    if (const ObjectiveSpec& objective = axis.scene.objective; objective.seeks_number())
+        return SceneFault{
+            fmt::format("{}.scene.objective.{}", member, objective.least.empty() ? "largest" : "least"),
+            fmt::format("\"{}\"", objective.least.empty() ? objective.largest : objective.least),
+            "none in an axis: a machine seeks its largest speed, where machine.speed is a range"};
     return {};
 }
 

@@ -228,6 +228,12 @@ struct ObjectiveSpec {
     std::array<double, dimension_count> dimensions{};
     Reference reference;
     TieBreak tie_break = TieBreak::rms_jerk;
+    /// Keys: "limits.pressure_angle_deg". Of one of them the least, or the largest, value with a motion is
+    /// sought first (studies/least/least_value.hpp); the weights choose among the motions at it.
+    std::string least = {}, largest = {};
+    double least_gap = 1e-4;  ///< relative distance of that value from one that is proved impossible
+
+    [[nodiscard]] bool seeks_number() const { return !least.empty() || !largest.empty(); }
     friend bool operator==(const ObjectiveSpec&, const ObjectiveSpec&) = default;
 };
 

@@ -5,7 +5,7 @@
 #include "core/text/text_file.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "report/view/cam_words.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/least/least_value.hpp"
 
 #include <fmt/format.h>
 
@@ -90,7 +90,7 @@ Json curve_of(const Scene& given) {
     scene.solver.starts = 1;
     SolveControl control;
     control.deadline = Deadline::after(seconds);
-    const Solution solution = solve_without_explaining(scene, control, nullptr, {.look = true});
+    const Solution solution = solve_asked(scene, control, nullptr, {.look = true});
     if (!solution.motion || control.deadline.was_felt()) return Json::array();
     const Motion& motion = *solution.motion;
     std::array<double, steps + 1> heights{};

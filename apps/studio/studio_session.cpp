@@ -5,7 +5,7 @@
 #include "core/word_of.hpp"
 #include "report/page/result_page.hpp"
 #include "studies/delivered/solution.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/least/least_value.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
@@ -257,9 +257,9 @@ struct StudioSession::State {
     static Solution solved(const Scene& scene, AnswerStage stage, Page& page, const SolveControl& control) {
         switch (stage) {
             case AnswerStage::curve:
-                return solve_without_explaining(scene, control, &page.known, {.look = true});
+                return solve_asked(scene, control, &page.known, {.look = true});
             case AnswerStage::proof:
-                return solve_without_explaining(scene, control, &page.known);
+                return solve_asked(scene, control, &page.known);
             case AnswerStage::rest:
                 break;
         }
@@ -272,7 +272,7 @@ struct StudioSession::State {
         const auto ending = [this] { return stopping.load(); };
         const SolveControl solving = control(given.scene, limits.solve_seconds, ending);
         KnownSolutions known{.most_growth = neighbour_growth};
-        Solution solution = solve_without_explaining(given.scene, solving, &known);
+        Solution solution = solve_asked(given.scene, solving, &known);
         {
             const std::lock_guard lock(mutex);
             opening = std::move(known);

@@ -17,7 +17,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 2> named_tab
 std::string table_words(std::string_view table) {
     if (table.find('[') != std::string_view::npos) return listed_words(table);
     const std::string_view name = table.substr(table.rfind('.') + 1);
-    const auto named = std::ranges::find(named_tables, name, [](const auto& one) { return one.first; });
+    const auto* const named =
+        std::ranges::find(named_tables, name, [](const auto& one) { return one.first; });
     return named == named_tables.end() ? words_of(name) : std::string(named->second);
 }
 

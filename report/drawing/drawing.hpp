@@ -129,8 +129,8 @@ struct PicturePlace {
 
 /// How a style looks in pictures. The first of a list lies at the bottom.
 struct PictureStyle {
-    const char* name;
-    const char* css;
+    const char* name = "";
+    const char* css = "";
     const char* words = "";  ///< in the legend; empty: not there
 };
 /// CSS rules of the styles; an open path of a filled style is not filled.

@@ -18,7 +18,7 @@ namespace camopt {
 /// The outline of a side of the cam, or its pitch curve.
 using SideCurve = std::function<std::vector<ArcVertex>(const ProfileShape& side, bool of_cam)>;
 /// Straight between that many points.
-[[nodiscard]] SideCurve sampled_curve(int steps);
+[[nodiscard]] SideCurve sampled_curve(int count);
 
 [[nodiscard]] Drawing cam_outlines(const ProfileShape& shape, const SideCurve& curve);
 /// "base circle": what an outline is to a reader.

@@ -5,6 +5,7 @@
 #include "core/platform/files.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
+#include "input/scene_text.hpp"
 #include "report/cam/cam_files.hpp"
 #include "report/chart/curve_chart.hpp"
 #include "report/csv/motion_csv.hpp"
@@ -55,6 +56,28 @@ void remove_file(const std::filesystem::path& path) {
     if (error) throw InputError(fmt::format("cannot remove {}: {}", path.string(), error.message()));
 }
 
+/// That of an earlier run.
+void remove_proof_of_least(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (!std::filesystem::exists(folder / "certificate.json", error)) return;
+    for (const char* const name : {"scene.toml", "certificate.json", "result.json"})
+        remove_file(folder / name);
+    std::filesystem::remove(folder, error);  // it stays where other files are in it
+}
+
+/// The folder of the scene that is infeasible beside it, for scripts/verify-certificate; a result that was
+/// read back leaves it as it is.
+void write_proof_of_least(const std::filesystem::path& folder, const std::optional<LeastReport>& least,
+                          const RunOrigin& origin, std::vector<std::filesystem::path>& paths) {
+    if (!least || !least->impossible) remove_proof_of_least(folder);
+    if (!least || !least->proof) return;
+    RunOrigin own = origin;
+    own.scene_text = input::scene_text(least->proof->scene);
+    for (std::filesystem::path& path :
+         write_result_folder(folder, View(*least->proof), own, {.for_programs = true}))
+        paths.push_back(std::move(path));
+}
+
 /// What killed runs left aside in this folder.
 void remove_leftovers(const std::filesystem::path& folder) {
     constexpr std::string_view begin = ".camopt-", end = ".tmp";
@@ -88,10 +111,14 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
     for (const char* const name : optional_files) writer.remove_earlier(name);
     for (const std::string& name : cam_file_names()) writer.remove_earlier(name);
     if (!options.for_programs) write_for_people(writer, view, origin, options);
-    if (!origin.scene_text.empty()) writer.write("scene.toml", origin.scene_text);
+    if (!origin.scene_text.empty())
+        writer.write("scene.toml", solution.least ? input::scene_text(solution.scene) : origin.scene_text);
     writer.write("certificate.json", certificate_json(solution.certificate));
     writer.write("result.json", result_json(solution, origin));  // last: who sees it finds the rest complete
-    return writer.finish();
+    std::vector<std::filesystem::path> paths = writer.finish();
+    if (!origin.scene_text.empty())
+        write_proof_of_least(folder / least_proof_folder, solution.least, origin, paths);
+    return paths;
 }
 
 FolderUpdate::FolderUpdate(std::filesystem::path folder)

@@ -19,6 +19,10 @@ struct WriteOptions {
     bool for_programs = false;          ///< result.json, certificate.json and scene.toml alone
 };
 
+/// Within the folder of a scene that seeks a number, where a value was proved impossible: the scene with that
+/// value, its result and its certificate. scene.toml of the folder itself has the value that was found.
+inline constexpr const char* least_proof_folder = "least";
+
 /// Creates the folder where it does not exist. All files are written aside first and then replace those of an
 /// earlier run together; those that this one does not have (motion.*, profile*.*) are
 /// removed. Returns the paths written. Throws InputError where the path is a file or cannot be written: the

@@ -50,6 +50,15 @@ inline void fields(const JsonFields& json, DesignReport& design) {
     json.numbers("values", design.values, design.names.size());
 }
 
+inline void fields(const JsonFields& json, LeastReport& least) {
+    json("key", least.key);
+    json("largest", least.largest);
+    json("value", least.value);
+    json("impossible", least.impossible);
+    json("verdict", least.verdict);
+    json("limited_by", least.limited_by);
+}
+
 inline void fields(const JsonFields& json, SolverReport& solver) {
     json("name", solver.name);
     json("termination", solver.termination);
@@ -123,6 +132,7 @@ void run_fields(const JsonFields& json, auto& run) {
     for (const PhaseRow& phase : phase_rows) seconds(phase.name, run.phases.*phase.seconds);
     json("notes", run.notes);
     json.unless("machine", run.machine, "");
+    json.unless("least", run.least, std::nullopt);
 }
 
 }  // namespace camopt

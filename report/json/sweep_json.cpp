@@ -35,6 +35,7 @@ static void fields(const JsonFields& json, StoredSweep& sweep) {
     json("dimensions", columns.dimensions);
     json("train", columns.train);
     json("drive", columns.drive);
+    json("sought", columns.sought);
     json("machine", columns.machine);
     json("criteria", columns.criteria);
     json("length_unit", columns.length_unit);

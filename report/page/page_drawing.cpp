@@ -29,6 +29,7 @@ Json parts_of(const ProfileShape& shape, const std::vector<double>& angles) {
     Json parts = Json::array();
     for (std::size_t k = 1; k < course.front().size(); ++k) {  // the first is the cam's centre
         std::vector<std::vector<Vector2d>> places;
+        places.reserve(course.size());
         bool moves = false;
         for (const std::vector<MechanismShape>& shapes : course) {
             places.push_back(k < shapes.size() ? shapes[k].points : places.back());

@@ -5,6 +5,7 @@
 #include "report/cam/cam_files.hpp"
 #include "report/solve/cam_remarks.hpp"
 #include "report/solve/infeasible_words.hpp"
+#include "report/solve/least_words.hpp"
 #include "report/solve/motion_remarks.hpp"
 #include "report/solve/solution_tables.hpp"
 #include "report/valves/valve_tables.hpp"
@@ -71,6 +72,8 @@ Section verdict_section(const Solution& solution) {
     section.say(Kind::headline, "verdict", {plain.headline}, Where::page);
     section.say(Kind::headline, "verdict", {verdict_sentence(solution)}, Where::texts);
     section.say(Kind::verdict, "meaning", {plain.meaning}, Where::page);
+    if (std::string least = least_sentence(solution); !least.empty())
+        section.say(Kind::verdict, "least", {std::move(least)});
     if (has_motion(solution))
         section.say(Kind::verdict, "active", {active_sentence(solution)},
                     solution.constraints.empty() ? Where::everywhere : Where::page);

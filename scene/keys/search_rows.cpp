@@ -93,6 +93,16 @@ Rows objective() {
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective", term.name, number, plain, not_negative, {}, "0", term.weight_meaning,
                         stored_in(&Scene::objective, term.weight), needs_of(term)});
+    rows.push_back(called("least value of a number", {"objective", "least", text, plain, any, {}, "none",
+        "A key, such as `\"limits.pressure_angle_deg\"`: its least value for which motions exist is found and proved; the weights "
+        "then choose among these motions. Any cap of [limits], given or not, and other numbers of the scene.",
+        stored_in(&Scene::objective, &ObjectiveSpec::least)}));
+    rows.push_back(called("largest value of a number", {"objective", "largest", text, plain, any, {}, "none",
+        "The same for what is better large: `\"limits.cam_radius_min_mm\"`, `\"motion.speed_rpm\"`.",
+        stored_in(&Scene::objective, &ObjectiveSpec::largest), Availability::now, "least"}));
+    rows.push_back({"objective", "least_gap", number, plain, Range::between(1e-7, 0.1), {}, "1e-4",
+        "Relative distance between the value found and the value at which no motion exists.",
+        stored_in(&Scene::objective, &ObjectiveSpec::least_gap)});
     return rows;
 }
 

@@ -14,6 +14,7 @@ from .conditions import Conditions
 from .drive import Drive, TERMS as MOTOR_TERMS
 from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
 from .known import name_what_is_unknown
+from .least import judge_least, without_keys
 from .machine import judge_machine
 from .measured import KINDS as DEVIATIONS
 from .motion import Curve
@@ -97,7 +98,17 @@ def delivered_problem(scene, references, result):
 
 
 def judge(folder, report, vipr_path):
-    scene = as_program(tomllib.loads((folder / "scene.toml").read_text(), parse_float=parsed))
+    """What is not verified. Of a scene that seeks a number: of the scene with that number, and of the number."""
+    written = tomllib.loads((folder / "scene.toml").read_text(), parse_float=parsed)
+    scene, sought = without_keys(written)
+    missing = judge_scene(folder, as_program(scene), report, vipr_path)
+    if sought:
+        result = json.loads((folder / "result.json").read_text())
+        missing = missing + judge_least(folder, written, sought, result, lambda inner: outcome_of(inner, Report(True)), report)
+    return missing
+
+
+def judge_scene(folder, scene, report, vipr_path):
     name_what_is_unknown(scene)
     scene = in_known_units(scene)
     result = json.loads((folder / "result.json").read_text())

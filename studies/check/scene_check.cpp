@@ -4,6 +4,7 @@
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
+#include "studies/least/least_value.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/search/planned_solve.hpp"
 
@@ -240,6 +241,7 @@ std::vector<DerivativeError> derivative_errors(const Nlp& problem, const Eigen::
 SceneCheck check_scene(const Scene& scene) {
     const Scene complete = with_written_limits(scene);
     validate(complete);
+    (void)sought_number(complete);  // throws: a key that names no number of the scene
     SceneCheck check;
     const PosedScene posed(complete);
     check.plan = plan_of(posed, {.explain = true});

@@ -6,12 +6,13 @@
 #include "objectives/own_point_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
+#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/laws/law_motion.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/least/least_value.hpp"
 
 #include <fmt/format.h>
 
@@ -321,9 +322,10 @@ ComparisonRow compare_law(const Solution& solution, const std::string& law) {
 Comparison compare(const Scene& scene, const SolveControl& control) {
     Scene complete = with_written_limits(scene);
     Comparison comparison;
-    comparison.optimum = solve_without_explaining(complete, control);
+    comparison.optimum = solve_asked(complete, control);
     const Solution& solution = comparison.optimum;
-    if (searches_angles(complete)) complete = solution.scene;  // the laws get the optimum's angles
+    // The laws get the optimum's angles, and the number that was found for it.
+    if (searches_angles(complete) || solution.least) complete = solution.scene;
     const Bench bench = bench_of(complete, solution);
     comparison.cam = bench.cam;
     std::optional<double> optimum;

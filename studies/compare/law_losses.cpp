@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/law_losses.hpp"
 
+#include "studies/least/least_value.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/search/planned_solve.hpp"
 
@@ -178,6 +179,7 @@ double least_bound(std::span<const std::array<double, 3>> rows) {
 }  // namespace
 
 LawLosses law_losses(const Scene& scene, const SolveControl& control, std::span<const PeakTriple> known) {
+    refuse_sought_number(scene, "how far laws are from the best");
     LawLosses losses;
     losses.reference = triple(reference_peaks(scene));
     if (!std::ranges::all_of(losses.reference, usable)) return losses;

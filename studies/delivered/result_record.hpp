@@ -45,6 +45,7 @@ struct ResultRecord {
     PhaseSeconds phases;
     std::vector<std::string> notes;
     std::string machine;
+    std::optional<LeastReport> least;
 };
 
 }  // namespace camopt

@@ -226,6 +226,25 @@ struct MeasuredReport {
     std::vector<LawMatch> laws;       ///< of each stroke whose displacements are given
 };
 
+struct Solution;
+
+/// How far the number went that objective.least or objective.largest names (studies/least/least_value.hpp).
+/// Values in the unit of the key.
+struct LeastReport {
+    std::string key;
+    bool largest = false;
+    double value = 0.0;                ///< of the delivered motion's scene
+    std::optional<double> impossible;  ///< at it the scene is proved infeasible; none: no such value is known
+    /// optimal: both are known, at most least_gap apart, and nothing lies beyond; or `value` is the end of
+    /// what the key may be. feasible: nothing lies beyond `impossible`, which is farther off. local: values
+    /// beyond may exist.
+    Verdict verdict = Verdict::local;
+    /// Keys of the proof at `impossible`, the heaviest first; of a proof over boxes, which has no rows, those
+    /// that are active in the delivered motion.
+    std::vector<std::string> limited_by = {};
+    std::shared_ptr<const Solution> proof = {};  ///< the scene with `impossible`; null in a result read back
+};
+
 struct LimitCurve {  ///< the lower bound for every curve (motions/bounds/any_curve_limit.hpp)
     double objective = 0.0;
     std::optional<double> velocity, acceleration, jerk;  ///< none: not attained (infinite)
@@ -283,6 +302,7 @@ struct Solution {
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
     std::optional<MeasuredReport> measured;
+    std::optional<LeastReport> least;  ///< where the scene seeks a number
     std::vector<OwnTermReport> own_terms;
     std::optional<TrainReport> train;   ///< where the scene has dynamics and there is a motion
     std::optional<DriveFigures> drive;  ///< where the scene has a motor and there is a motion

@@ -16,8 +16,6 @@ namespace {
 constexpr double first_change = 0.02;
 // Beyond a thousand times its size a change of a dimension or a limit is no advice.
 constexpr double farthest_change = 1e3;
-// Pressure angles end short of the right angle.
-constexpr double largest_pressure_angle = 89.9 * units::degree;
 
 /// Upwards from the limit of the program.
 void add_own_limits(std::vector<Adjustment>& all, const Scene& scene) {

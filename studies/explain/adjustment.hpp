@@ -11,6 +11,9 @@ namespace camopt {
 /// In the order in which changes are searched: what costs a user least comes first.
 enum class Usefulness { angle, base_radius, limit, speed, lift, other };
 
+/// Pressure angles end short of the right angle.
+inline constexpr double largest_pressure_angle = 89.9 * units::degree;
+
 /// One number of a scene. Values are in the unit of the key.
 struct Adjustment {
     std::string key;  ///< "limits.pressure_angle_deg"

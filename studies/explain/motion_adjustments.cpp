@@ -69,7 +69,11 @@ void add_stroke(std::vector<Adjustment>& all, const Scene& scene, const Strokes&
     const double turn = units::turn / one, most = alone ? given + turn - total : given * turn / total;
     Adjustment adjustment = number_adjustment(
         fmt::format("{}{}", name, spelling.suffix), given, given, Range::between(given, most),
-        [strokes, given](Scene& changed, double value) { lengthen(changed, strokes, value / given); });
+        [strokes, given, one](Scene& changed, double value) {
+            lengthen(changed, strokes, value / given);
+            // To the last bit as a file with this value is read.
+            (strokes.rise ? changed.motion.rise : *changed.motion.return_angle) = value * one;
+        });
     adjustment.usefulness = Usefulness::angle;
     adjustment.fallback = strokes.rise && strokes.back;
     adjustment.begin = strokes.rise ? 0.0 : 1.0;

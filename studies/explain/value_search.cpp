@@ -51,6 +51,22 @@ class ValueSearch {
         return {};
     }
 
+    [[nodiscard]] FeasibleEdge edge(double feasible, int direction, double end) const {
+        double inside = feasible, slack = violation_at(feasible);
+        double step = adjustment_.step;
+        for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
+            const double next = feasible + direction * step;
+            const bool last = direction * (next - end) >= 0.0;
+            const double value = last ? end : next;
+            const double there = violation_at(value);
+            if (there > 0.0) return {between(value, there, inside, std::min(slack, 0.0)), value};
+            inside = value;
+            slack = there;
+            if (last) break;
+        }
+        return {inside, std::nullopt};
+    }
+
     [[nodiscard]] double towards(double feasible) const {
         return between(adjustment_.given, given_, feasible, 0.0);
     }
@@ -288,6 +304,11 @@ std::optional<double> nearest_value(const Scene& scene, const Adjustment& adjust
         if (nearer) nearest = found;
     }
     return nearest;
+}
+
+FeasibleEdge feasible_edge(const Scene& scene, const Adjustment& adjustment, double feasible, int direction,
+                           double end, const Budget& budget) {
+    return ValueSearch(scene, adjustment, infinity, budget).edge(feasible, direction, end);
 }
 
 double value_towards(const Scene& scene, const Adjustment& adjustment, double feasible,

@@ -58,6 +58,14 @@ class Budget {
 [[nodiscard]] std::optional<double> nearest_value(const Scene& scene, const Adjustment& adjustment,
                                                   double given, const Budget& budget);
 
+/// The last feasible value in one direction, ±1, from a feasible one on, and one beyond it that is not.
+struct FeasibleEdge {
+    double inside = 0.0;
+    std::optional<double> outside = {};  ///< none: feasible up to `end`
+};
+[[nodiscard]] FeasibleEdge feasible_edge(const Scene& scene, const Adjustment& adjustment, double feasible,
+                                         int direction, double end, const Budget& budget);
+
 /// The value nearest to the given one that is feasible, on the way to `feasible`, which is.
 [[nodiscard]] double value_towards(const Scene& scene, const Adjustment& adjustment, double feasible,
                                    const Budget& budget);

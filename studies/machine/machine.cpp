@@ -4,6 +4,7 @@
 #include "scene/part_names.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
+#include "studies/least/monotone.hpp"
 #include "studies/machine/machine_build.hpp"
 #include "studies/search/settled_scene.hpp"
 #include "studies/sweep/sweep_plan.hpp"

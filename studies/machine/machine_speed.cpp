@@ -4,6 +4,7 @@
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "scene/written_limits.hpp"
+#include "studies/least/monotone.hpp"
 
 namespace camopt {
 
@@ -24,10 +25,6 @@ void stand_still(Scene& scene) {
     // Nothing is weighed at standstill, and a reference law may have no torque there.
     scene.objective = {};
     scene.objective.jerk = 1.0;
-}
-
-bool counts_in_time(const std::optional<SetPoint>& point) {
-    return point && (is_unit_of_time(point->units.velocity) || is_unit_of_time(point->units.acceleration));
 }
 
 }  // namespace
@@ -59,33 +56,6 @@ std::vector<Scene> scenes_at_standstill(const MachineSpec& machine) {
         if (scene.drive) stand_still(scene);
     }
     return scenes;
-}
-
-bool only_tightens_with_speed(const Scene& scene) {
-    // τ(sω) = s² (τ(ω) − τ_0) + τ_0 lies between τ(ω) and the torque τ_0 at rest, which every limit allows;
-    // viscous friction, and a torque that falls with the speed, change by s.
-    const LimitSpec& limits = scene.limits;
-    const bool holds_torque =
-        limits.motor_torque || limits.motor_torque_min || limits.motor_torque_max || limits.motor_torque_rms;
-    if (!limits.motor_curve.empty() || (holds_torque && scene.drive && scene.drive->viscous > 0.0))
-        return false;
-    for (const LimitRow& row : limit_rows())
-        if ((row.needs_forces || row.needs_dynamics) && row.in(scene.limits)) return false;
-    for (const PeakLimitRow& row : peak_limit_rows())  // of one side: an interval around 0 only shrinks
-        if (const auto& limit = row.in(scene.limits);
-            limit && limit->in_time() && row.side * limit->normalised < 0.0)
-            return false;
-    return !has_points_in_time(scene.motion);
-}
-
-bool has_points_in_time(const MotionSpec& motion) {
-    for (const Corridor& corridor : motion.corridors)
-        for (const Corridor::Bounds& bounds : corridor.bounds)
-            if (is_unit_of_time(bounds.unit)) return true;
-    return std::ranges::any_of(motion.segments, [](const ProgramSegment& segment) {
-        return counts_in_time(segment.end) ||
-               std::ranges::any_of(segment.via, [](const SetPoint& point) { return counts_in_time(point); });
-    });
 }
 
 bool standstill_is_any_speed(const Scene& scene) {

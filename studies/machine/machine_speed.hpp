@@ -9,15 +9,10 @@ namespace camopt {
 /// The scene at another speed: everything written in units of time says what it said.
 [[nodiscard]] Scene at_speed(const Scene& scene, double speed);
 
-/// Whether the feasible speeds of an axis are an interval from 0.
-[[nodiscard]] bool only_tightens_with_speed(const Scene& scene);
-
 /// The scenes of the axes at a speed of the master.
 [[nodiscard]] std::vector<Scene> scenes_at(const MachineSpec& machine, double speed);
 /// The same without what counts in time: the machine as its speed approaches 0.
 [[nodiscard]] std::vector<Scene> scenes_at_standstill(const MachineSpec& machine);
-/// Set points and corridors in units of time: with the speed they mean something else.
-[[nodiscard]] bool has_points_in_time(const MotionSpec& motion);
 /// Whether what is impossible at standstill is so at every speed. Not where viscous friction may relieve the
 /// torque of an advancing axis on average, nor with points in time.
 [[nodiscard]] bool standstill_is_any_speed(const Scene& scene);

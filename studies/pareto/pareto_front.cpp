@@ -2,6 +2,7 @@
 #include "studies/pareto/pareto_front.hpp"
 
 #include "scene/written_limits.hpp"
+#include "studies/least/least_value.hpp"
 #include "studies/pareto/front_chain.hpp"
 #include "studies/search/planned_solve.hpp"
 
@@ -251,6 +252,7 @@ void FrontRequest::validate(const Scene& scene) const {
             spacing.value_or(0.0), "a number from 0.0002 to 1");
     require(evenness > 0.0 && evenness < 1.0, "evenness of the front", evenness, "a number > 0 and < 1");
     require(cut_off > 1.0 && std::isfinite(cut_off), "cut-off of the front", cut_off, "a number > 1");
+    refuse_sought_number(scene, "--pareto");
     if (goals[0] == goals[1])
         throw InputError(
             fmt::format("a front of {} against itself; allowed: two different goals", name_of(goals[0])));

@@ -4,7 +4,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/least/least_value.hpp"
 
 #include <fmt/format.h>
 
@@ -226,9 +226,9 @@ TrainStudy train_study_of(Solution optimum, std::optional<Solution> static_optim
 
 TrainStudy train_study(const Scene& scene, const SpeedSweep& speeds, const SolveControl& control) {
     require_train(scene);
-    Solution optimum = solve_without_explaining(scene, control);
+    Solution optimum = solve_asked(scene, control);
     std::optional<Solution> rigid;
-    if (asks_train(scene)) rigid = solve_without_explaining(without_train(scene), control);
+    if (asks_train(scene)) rigid = solve_asked(without_train(scene), control);
     return train_study_of(std::move(optimum), std::move(rigid), speeds);
 }
 

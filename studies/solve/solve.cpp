@@ -3,7 +3,7 @@
 
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/adjustment.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/least/least_value.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace camopt {
 Solution solve(const Scene& scene, const SolveControl& control) {
     const Stopwatch watch;
     const SolveControl timed = control.sooner(scene.solver.max_seconds);
-    Solution solution = solve_without_explaining(scene, timed, nullptr, {.explain = true});
+    Solution solution = solve_asked(scene, timed, nullptr, {.explain = true});
     const Certificate& certificate = solution.certificate;
     const bool to_explain =
         certificate.verdict == Verdict::infeasible || certificate.reason == Reason::no_feasible_point ||

@@ -2,6 +2,7 @@
 #include "studies/surface/trade_off_surface.hpp"
 
 #include "core/word_of.hpp"
+#include "studies/least/least_value.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
@@ -55,6 +56,7 @@ void refuse_other_terms(const Scene& scene) {
         const auto dimension = static_cast<DimensionIndex>(d);
         if (weight_of(scene, dimension) > 0.0) refuse(name_of(dimension));
     }
+    refuse_sought_number(scene, "--surface");
     if (!scene.own_terms.empty())
         throw InputError("--surface: found a user-defined cost term; allowed: velocity, acceleration, jerk");
 }

@@ -3,7 +3,7 @@
 
 #include "scene/limit_table.hpp"
 #include "solvers/registry.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/least/least_value.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/ranges.h>
@@ -82,6 +82,7 @@ void check_solve(const Scene& scene, CheckedLaws& checked) {
     const Reference& reference = scene.objective.reference;
     if (reference.numeric || checked.emplace(reference.law, weighed_figures(scene.objective)).second)
         (void)reference_peaks(scene);
+    if (scene.objective.seeks_number()) (void)sought_number(with_written_limits(scene));
     if (scene.solver.name == "auto" && scene.solver.options.empty()) return;  // there is always one
     const std::string solver = scene.solver.name == "auto" ? plan(scene).solver : scene.solver.name;
     (void)make_solver(solver);
@@ -92,12 +93,13 @@ void check_solve(const Scene& scene, CheckedLaws& checked) {
 struct Seen {
     std::array<bool, dimension_count> variable{}, weighed{};
     std::array<bool, sweep_figure_count> figures{};
-    bool train = false, drive = false;
+    bool train = false, drive = false, sought = false;
     std::vector<std::string> responses;  ///< weighed ones, by name
 
     void add(const Scene& scene) {
         train = train || scene.dynamics.has_value();
         drive = drive || scene.drive.has_value();
+        sought = sought || scene.objective.seeks_number();
         for (const ResponseTerm& term : response_terms())
             if ((term.needs_dynamics() || term.needs_drive()) && term.weight_in(scene.objective) > 0.0 &&
                 std::ranges::find(responses, term.name) == responses.end())
@@ -257,6 +259,7 @@ SweepColumns check_rows(SweepScenes& scenes) {
             columns.criteria.emplace_back(name_of(static_cast<SweepFigure>(i)));
     columns.train = seen.train;
     columns.drive = seen.drive;
+    columns.sought = seen.sought;
     columns.criteria.insert(columns.criteria.end(), seen.responses.begin(), seen.responses.end());
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
@@ -287,6 +290,7 @@ SweepRow sweep_row(int number, std::span<const double> settings, const Solution&
         }
         if (solution.train) set_train(row, *solution.train);
         if (solution.drive) set_drive(row, *solution.drive);
+        if (solution.least) row.sought = {solution.least->value, solution.least->impossible};
         for (const ConstraintReport& limit : solution.constraints)
             if (limit.active) row.active_limits.push_back(limit.key);
     }
@@ -345,7 +349,7 @@ std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows, const Solv
         const std::span<const double> settings = scenes.plan().row(number);
         known.number = number;
         try {
-            const Solution solution = solve_without_explaining(scenes.scene(number), control, &known);
+            const Solution solution = solve_asked(scenes.scene(number), control, &known);
             solved.push_back(sweep_row(number, settings, solution));
             if (found && !control.stopped()) found(number, solution);
         } catch (const std::exception& error) {
@@ -367,7 +371,7 @@ std::vector<SweptScene> sweep(const Scene& scene, std::span<const double> values
         known.number = static_cast<int>(rows.size());
         Scene one = scene;
         set(one, value);
-        SweptScene row{value, solve_without_explaining(one, control, &known)};
+        SweptScene row{value, solve_asked(one, control, &known)};
         if (control.stopped()) break;  // perhaps stopped halfway
         rows.push_back(std::move(row));
         if (solved) solved(rows.back());

@@ -38,6 +38,12 @@ struct SweepMachine {
     std::optional<double> speed, impossible_above;
 };
 
+/// Of a row whose scene seeks a number, in the unit of its key: what was found, and what is proved
+/// impossible.
+struct SweepSought {
+    std::optional<double> value, impossible;
+};
+
 struct SweepRow {
     int number = 0;                ///< from 0, by the plan
     std::vector<double> settings;  ///< of SweepColumns::keys, in the unit of each key
@@ -50,6 +56,7 @@ struct SweepRow {
     SweepTrain train;
     SweepDrive drive;
     SweepMachine machine;
+    SweepSought sought;
     /// Keys as written, in the scene's order; of a machine what stops it, the heaviest first.
     std::vector<std::string> active_limits;
     /// The row whose motion this one has too, proved without a solve; none: it was solved.
@@ -80,6 +87,7 @@ struct SweepColumns {
     std::vector<std::string> criteria;
     LengthUnit length_unit = LengthUnit::millimetre;  ///< in which people read the dimensions; files: mm
     bool drive = false;                               ///< at least one row has a motor
+    bool sought = false;                              ///< at least one row seeks a number
 
     /// The rows have different cams: a key of the cam varies, or one of its dimensions is variable.
     [[nodiscard]] bool cam() const {

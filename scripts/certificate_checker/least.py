@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""How far a number of a scene goes (objective.least, objective.largest).
+
+Theorem. Let F(v) be the motions of the scene with v in place of the number under the key, and let F shrink as v falls:
+F(v) is a part of F(w) for v <= w. If F(impossible) is empty, then so is F(v) for every v <= impossible, and with a motion
+in F(value) the least value with a motion lies in (impossible, value]. For `largest` with the signs turned.
+
+F shrinks with a cap on a figure by definition of the cap, and rises with a least value of one. For other numbers this
+module knows it where `shrinks` says so; elsewhere it confirms the two ends and no more.
+
+The folder holds the scene with `value` and its motion; its folder `least` the scene with `impossible`, its result and its
+certificate, which are judged like any other. The two scenes must be the same but for the number.
+"""
+import json
+import re
+import tomllib
+
+from .exact import Refuted, Unverified, number
+from .rational import Fraction, parsed
+
+KEYS = ("least", "largest", "least_gap")
+FORCES_BUT_CONTACT = ("torque_max", "hertz_pressure_max", "residual", "dynamic_contact_force_min", "spring_harmonic")
+RADII = ("cam_radius_min", "concave_radius_min", "undercut_margin")
+SAME = Fraction(1, 10**12)
+
+
+def without_keys(scene):
+    """The scene as it is solved, and what it seeks: (key, largest, gap), or None."""
+    objective = {name: value for name, value in scene.get("objective", {}).items() if name not in KEYS}
+    asked = scene.get("objective", {})
+    if "least" not in asked and "largest" not in asked:
+        return scene, None
+    largest = "largest" in asked
+    sought = (asked["largest" if largest else "least"], largest, number(asked.get("least_gap", Fraction(1, 10**4))))
+    plain = {name: table for name, table in scene.items() if name != "objective"}
+    return plain | ({"objective": objective} if objective else {}), sought
+
+
+def member_of(scene, key):
+    """(its table, its last name) of a dotted key: motion.segments[2].angle_deg."""
+    *path, last = re.findall(r"[^.\[\]]+", key)
+    for name in path:
+        scene = scene[int(name)] if name.isdigit() else scene[name]
+    return scene, last
+
+
+def value_of(scene, key):
+    table, last = member_of(scene, key)
+    return number(table[last])
+
+
+def differs_only_in(one, other, key):
+    """Two scenes are the same without the number."""
+    for scene in (one, other):
+        table, last = member_of(scene, key)
+        table[last] = None
+    return one == other
+
+
+def is_limit_of(key, names):
+    return key.startswith(tuple(f"limits.{name}" for name in names))
+
+
+def has_limit(scene, names):
+    return any(limit.startswith(names) for limit in scene.get("limits", {}))
+
+
+def never_below_zero(motion):
+    ends = [value for segment in motion.get("segments", []) for name, value in segment.items() if name.startswith("to")]
+    return motion.get("within_lift", True) and all(number(end) >= 0 for end in ends)
+
+
+def shrinks(scene, key, largest):
+    """Whether motions only disappear as the number goes on beyond the edge."""
+    if key.startswith("limits."):
+        return True
+    loads_beside_contact = has_limit(scene, FORCES_BUT_CONTACT)
+    contact = has_limit(scene, ("contact_force_min", "contact_moment_min"))
+    if key.startswith("forces.preload"):  # F = m s'' w^2 + k s + preload + ... grows with it
+        return not largest and not loads_beside_contact
+    if key.startswith("forces.spring_rate"):  # likewise, where s >= 0
+        return not largest and not loads_beside_contact and never_below_zero(scene["motion"])
+    if key.startswith("cam.base_radius"):  # tan(phi) = (s' - e)/(s0 + s), s0 grows with the radius
+        straight = scene["cam"].get("follower", "").startswith("translating_") and scene["cam"].get("type", "disk") == "disk"
+        return not largest and straight and not loads_beside_contact and not contact and not has_limit(scene, RADII)
+    return False
+
+
+def check_direction(key, largest):
+    if not key.startswith("limits."):
+        return
+    least_value = is_limit_of(key, RADII + ("contact_force_min", "contact_moment_min", "dynamic_contact_force_min")) or \
+        key.endswith(".min")
+    if least_value != largest:
+        raise Refuted(f"{key} is sought in the wrong direction")
+
+
+def judge_least(folder, scene, sought, result, judge_inner, report):
+    """What result.json says of the number; what is not verified, in a list. scene: as written, with the value."""
+    key, largest, gap = sought
+    stated = result.get("least")
+    if stated is None:
+        if result["motion"] is None or result["verdict"] in ("infeasible", "failed"):
+            return []  # no value was found: the verdict is that of the scene
+        raise Refuted(f"the scene seeks {key}, and the result says nothing of it")
+    if stated["key"] != key or stated["largest"] != largest:
+        raise Refuted(f"the result speaks of {stated['key']}, the scene of {key}")
+    check_direction(key, largest)
+    value = value_of(scene, key)
+    if abs(value - number(stated["value"])) > SAME * abs(value):
+        raise Refuted(f"{key} is {float(value)} in scene.toml, not {stated['value']}")
+    if stated["impossible"] is None:
+        if stated["verdict"] == "local":
+            return []
+        return [f"that {key} ends at {stated['value']}"]
+    impossible = number(stated["impossible"])
+    if not (impossible > value if largest else impossible < value):
+        raise Refuted("the value lies beyond the one that is said to be impossible")
+    other = tomllib.loads((folder / "least" / "scene.toml").read_text(), parse_float=parsed)
+    if abs(value_of(other, key) - impossible) > SAME * max(abs(impossible), abs(value)):
+        raise Refuted(f"{key} is {float(value_of(other, key))} in least/scene.toml, not {stated['impossible']}")
+    plain, _ = without_keys(scene)
+    if not differs_only_in(json.loads(json.dumps(plain, default=str)), json.loads(json.dumps(other, default=str)), key):
+        raise Refuted(f"least/scene.toml differs in more than {key}")
+    if json.loads((folder / "least" / "certificate.json").read_text())["verdict"] != "infeasible":
+        raise Refuted("least/ does not say that there is no motion")
+    code, outcome = judge_inner(folder / "least")
+    if code == 1:
+        raise Refuted(f"least/: {outcome}")
+    if code == 2:
+        raise Unverified(f"least/: {outcome}")
+    report.say(f"{key}: at {float(impossible):.12g} there is no motion, at {float(value):.12g} there is one")
+    if stated["verdict"] == "local":
+        return []
+    if not shrinks(scene, key, largest):
+        return [f"that beyond {float(impossible):.12g} no value of {key} has a motion"]
+    if stated["verdict"] == "optimal" and abs(value - impossible) > gap * abs(value) * (1 + SAME):
+        raise Refuted(f"{key}: the two values are further apart than least_gap")
+    return []
