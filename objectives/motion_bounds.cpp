@@ -17,7 +17,7 @@ namespace {
 using Kind = StretchRequest::Kind;
 
 void add_sided(std::vector<MotionBound>& all, const PeakLimitRow& row, const PeakLimit& limit,
-               const MotionFamily& family) {
+               const MotionFamily& family, const std::vector<StretchScale>& scales) {
     MotionBound bound{row.name(), limit.key, limit.unit, row.order(), row.side, row.side * limit.normalised,
                       limit.given};
     bound.per_normalised = limit.physical() ? limit.unit_per_normalised() : 1.0;
@@ -28,7 +28,6 @@ void add_sided(std::vector<MotionBound>& all, const PeakLimitRow& row, const Pea
     const std::span<const MotionFamily::Stretch> stretches = family.stretches();
     const bool splines =
         std::ranges::find(stretches, Kind::spline, &MotionFamily::Stretch::kind) != stretches.end();
-    const std::vector<StretchScale> scales = stretch_scales(family);
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         if (stretches[s].kind != (splines ? Kind::spline : Kind::shape)) continue;
         const double size = scales[s].displacement / std::pow(scales[s].angle, row.order());
@@ -165,9 +164,10 @@ double mean_of(const Motion& law) {
 
 std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family) {
     std::vector<MotionBound> all;
+    const std::vector<StretchScale> scales = peak_scales(scene);
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits); limit && row.side != 0)
-            add_sided(all, row, *limit, family);
+            add_sided(all, row, *limit, family, scales);
     for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
     for (MotionBound& bound : drive_bounds(scene, family)) all.push_back(std::move(bound));
     return all;

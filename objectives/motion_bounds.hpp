@@ -10,7 +10,7 @@
 namespace camopt {
 
 /// Limits of one side and corridors of the scene. A normalised limit of a program holds for each spline
-/// segment (of a prescribed one: each law) by its own angle and displacement.
+/// segment (of a prescribed one: each law) as peak_scales measures it.
 [[nodiscard]] std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family);
 /// Those of scene_family; a scene without any needs no family.
 [[nodiscard]] std::vector<MotionBound> motion_bounds(const Scene& scene);

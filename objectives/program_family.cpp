@@ -273,6 +273,75 @@ bool rests_between(const MotionSpec& motion, std::size_t i) {
 
 }  // namespace
 
+namespace {
+
+/// Splines that join in motion, as peak_scales measures them.
+class Strokes {
+ public:
+    explicit Strokes(const MotionSpec& motion)
+        : motion_(motion), levels_(given_levels(motion)), turning_(turning_segments(motion, {})) {}
+
+    [[nodiscard]] std::vector<StretchScale> scales() const {
+        const std::size_t count = motion_.own_segments();
+        std::vector<StretchScale> all(count);
+        std::size_t first = 0;  // a stroke begins with it; splines all around: any
+        while (first < count && !begins(first)) ++first;
+        for (std::size_t k = 0, size = 0; k < count; k += size) {
+            const std::size_t begin = (first + k) % count;
+            size = 1;
+            while (k + size < count && !begins((begin + size) % count)) ++size;
+            const StretchScale scale = scale_of(begin, size);
+            for (std::size_t i = 0; i < size; ++i) all[(begin + i) % count] = scale;
+        }
+        return all;
+    }
+
+ private:
+    const MotionSpec& motion_;
+    std::vector<std::optional<double>> levels_;
+    std::vector<std::size_t> turning_;
+
+    [[nodiscard]] bool begins(std::size_t segment) const {
+        if (segment == 0 && !motion_.periodic()) return true;
+        const ProgramSegment& own = motion_.segments[segment];
+        const ProgramSegment& before =
+            motion_.segments[segment > 0 ? segment - 1 : motion_.own_segments() - 1];
+        if (own.kind != SegmentKind::spline || before.kind != SegmentKind::spline) return true;
+        if (before.end && before.end->velocity == 0.0) return true;
+        return std::ranges::find(turning_, segment) != turning_.end();
+    }
+    /// None: one of the two is free.
+    [[nodiscard]] std::optional<double> moved(std::size_t from, std::size_t to) const {
+        if (!levels_[from] || !levels_[to]) return std::nullopt;
+        return *levels_[to] - *levels_[from];
+    }
+    /// Of so many segments, which may go on at the start of the turn.
+    [[nodiscard]] StretchScale scale_of(std::size_t begin, std::size_t size) const {
+        const std::size_t count = motion_.own_segments();
+        double angle = 0.0;
+        for (std::size_t i = 0; i < size; ++i) angle += motion_.segments[(begin + i) % count].angle;
+        const std::size_t end = std::min(begin + size, count);
+        std::optional<double> whole = moved(begin, end);
+        if (begin + size > count) {
+            const std::optional<double> beyond = moved(0, begin + size - count);
+            whole = whole && beyond ? std::optional(*whole + *beyond) : std::nullopt;
+        }
+        return {angle / motion_.unit_angle(), whole ? measured_displacement(*whole) : 1.0};
+    }
+};
+
+}  // namespace
+
+std::vector<StretchScale> peak_scales(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    if (motion.type != MotionType::program) return {};
+    if (scene.objective.peaks == PeakScope::motion) return std::vector<StretchScale>(motion.segments.size());
+    std::vector<StretchScale> scales = Strokes(motion).scales();
+    const std::size_t own = scales.size();
+    for (std::size_t i = own; i < motion.segments.size(); ++i) scales.push_back(scales[i % own]);
+    return scales;
+}
+
 double contradicting_directions(const MotionSpec& motion, const std::vector<StrokeDirection>& of_free) {
     const std::vector<std::optional<double>> levels = given_levels(motion);
     const std::vector<StrokeDirection> directions = segment_directions(motion, of_free);
@@ -332,6 +401,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
     // degenerate.
     const std::vector<std::size_t> turning = turning_segments(motion, of_free);
     const std::vector<std::optional<double>> levels = given_levels(motion);
+    const std::vector<StretchScale> scales = peak_scales(scene);
     ImpliedConditions implied;
     double angle = 0.0;
     for (std::size_t i = 0; i < scene.motion.own_segments(); ++i) {
@@ -360,10 +430,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
                                      stretch.end, levels[i],           levels[i + 1]};
             for (PointCondition& condition : turning_points(motion, points, stroke))
                 stretch.conditions.push_back(std::move(condition));
-            const double moved =
-                levels[i] && levels[i + 1] ? measured_displacement(*levels[i + 1] - *levels[i]) : 1.0;
-            for (PointCondition& condition :
-                 points_at_limits(scene, points, static_cast<int>(i), {stretch.end - stretch.begin, moved}))
+            for (PointCondition& condition : points_at_limits(scene, points, static_cast<int>(i), scales[i]))
                 implied.emplace_back(i, std::move(condition));
             if (rests_between(motion, i))
                 implied.emplace_back(i, PointCondition{stretch.begin, 2, Side::right, 0.0,

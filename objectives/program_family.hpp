@@ -17,6 +17,15 @@ namespace camopt {
 [[nodiscard]] double contradicting_directions(const MotionSpec& motion,
                                               const std::vector<StrokeDirection>& of_free);
 
+/// What V, A and J of each segment are measured by (objective.peaks):
+///   strokes: angle and displacement of its stroke. A stroke is a spline, or several that join in motion: it
+///            begins after a dwell or a law, at a turning point, at an `end` of velocity 0 and where the
+///            motion begins. Measured by the lift where its displacement is 0 or free. Laws and dwells: their
+///            own.
+///   motion:  all by the lift and the unit angle.
+/// One a segment; none: DRD and RR, all 1.
+[[nodiscard]] std::vector<StretchScale> peak_scales(const Scene& scene);
+
 /// of_free: HeldStrokes::directions; joints where they reverse the motion are turning points. Throws
 /// InputError for a law that is not allowed in a program (one without a dwell's end).
 [[nodiscard]] MotionFamily program_family(const Scene& scene, DesignKind kind,

@@ -67,15 +67,4 @@ MotionFamily scene_family(const Scene& scene, DesignKind kind, const std::vector
     return DesignVector::make(spline_request(scene, kind));
 }
 
-std::vector<StretchScale> stretch_scales(const MotionFamily& family) {
-    std::vector<StretchScale> scales;
-    for (const MotionFamily::Stretch& stretch : family.stretches()) {
-        const std::optional<double> from = known_displacement(stretch.from);
-        const std::optional<double> to = known_displacement(stretch.to);
-        const double displacement = from && to ? measured_displacement(*to - *from) : 1.0;
-        scales.push_back({stretch.end - stretch.begin, displacement});
-    }
-    return scales;
-}
-
 }  // namespace camopt

@@ -16,7 +16,4 @@ namespace camopt {
 [[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind,
                                         const std::vector<StrokeDirection>& of_free = {});
 
-/// What a displacement is normalised by in each stretch of the family.
-[[nodiscard]] std::vector<StretchScale> stretch_scales(const MotionFamily& family);
-
 }  // namespace camopt

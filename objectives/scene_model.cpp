@@ -98,7 +98,7 @@ void add_range(CamModel& model, const std::string& name, const AffineRow& value,
 
 void add_program_scales(CamModel& model, const Scene& scene) {
     if (scene.motion.type != MotionType::program) return;
-    model.stretch_scales = stretch_scales(model.design);
+    model.stretch_scales = peak_scales(scene);
     const auto [least, most] = known_range(model.design);
     model.least_displacement = least - overshoot * std::max(1.0, most - least);
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
@@ -178,6 +178,15 @@ std::string name_of_term(const WeightedPeak& source) {
     return fmt::format("rms {}", derivative_names[source.order]);
 }
 
+/// What a figure of a law by its own angle and displacement is by the measure of the scene.
+double by_own_measure(const PeakFigure& figure, const MotionFamily::Stretch& stretch,
+                      const StretchScale& scale) {
+    const std::optional<double> from = known_displacement(stretch.from), to = known_displacement(stretch.to);
+    const double moved = from && to ? measured_displacement(*to - *from) : 1.0;
+    return std::pow(moved / scale.displacement, figure.size_power) *
+           std::pow(scale.angle / (stretch.end - stretch.begin), figure.width_power);
+}
+
 /// V, A, J of a prescribed motion are the largest over its laws: constants of the cost, and caps on each law.
 void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
     for (const CostTerm& term : cost_terms()) {
@@ -190,15 +199,16 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             if (stretch.kind != StretchRequest::Kind::shape) continue;
             const StretchScale& scale = model.stretch_scales[s];
             const std::string& law = scene.motion.segments[s].law;
-            const double own = term.measured.of(make_law(law)->peaks());
+            const double own =
+                term.measured.of(make_law(law)->peaks()) * by_own_measure(term.measured, stretch, scale);
             if (weight > 0.0 && !std::isfinite(own))
                 throw SceneError(
                     {fmt::format("objective.{}", term.name()),
                      fmt::format("{} with the law \"{}\", which has no finite {}", weight, law, term.name()),
                      "0, or another law"});
             largest = std::max(largest, own);
-            squares += own * own * scale.angle;
-            width += scale.angle;
+            squares += own * own * (stretch.end - stretch.begin);
+            width += stretch.end - stretch.begin;
             if (limit == nullptr || !*limit || (*limit)->physical()) continue;
             const double most =
                 (*limit)->normalised * scale.displacement / std::pow(scale.angle, term.measured.order);

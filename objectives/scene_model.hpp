@@ -21,7 +21,7 @@ namespace camopt {
 [[nodiscard]] double dimension_weight(const Scene& scene, const std::string& name);
 
 /// Only peaks with a weight or a limit become variables. A program's peaks are the largest over its spline
-/// segments, each normalised by its own angle and displacement (the lift where that is 0, or free).
+/// segments, normalised as peak_scales says.
 /// `strokes`: whether rules enforce their range (add_stroke_rules).
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
                                    const HeldStrokes& strokes = {});

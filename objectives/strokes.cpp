@@ -230,7 +230,9 @@ std::vector<PointCondition> points_at_limits(const Scene& scene, const std::vect
     double begin = 0.0;
     for (int i = 0; i < segment; ++i) begin += scene.motion.segments[static_cast<std::size_t>(i)].angle;
     begin /= scene.motion.unit_angle();
-    const double end = segment < 0 ? length : begin + scale.angle;
+    const double end = segment < 0 ? length
+                                   : begin + scene.motion.segments[static_cast<std::size_t>(segment)].angle /
+                                                 scene.motion.unit_angle();
     for (const PlacedPoint& point : points) {
         // A limit of a spline says nothing of what follows it, and at an end the motion has one side.
         if (point.segment != segment || point.is_region()) continue;

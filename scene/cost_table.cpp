@@ -116,6 +116,10 @@ double least_objective(const ObjectiveSpec& objective) {
     return objective.area > 0.0 ? -infinity : 0.0;
 }
 
+const char* name_of(PeakScope value) {
+    return value == PeakScope::strokes ? "strokes" : "motion";
+}
+
 const char* name_of(TieBreak value) {
     return value == TieBreak::none ? "none" : "rms_jerk";
 }

@@ -18,6 +18,8 @@ namespace camopt {
 enum class SegmentKind { dwell, law, spline };
 enum class EndJerk { free, zero };
 enum class TieBreak { none, rms_jerk };
+/// What V, A and J of a program are measured by (objectives/program_family.hpp, peak_scales).
+enum class PeakScope { strokes, motion };
 
 /// The units in which the numbers of a set point were written ("deg", "mm", "mm/s", "mm/rad", …; empty:
 /// normalised): reports show them so, and they are what stays where the angle of a segment is searched.
@@ -228,6 +230,7 @@ struct ObjectiveSpec {
     std::array<double, dimension_count> dimensions{};
     Reference reference;
     TieBreak tie_break = TieBreak::rms_jerk;
+    PeakScope peaks = PeakScope::strokes;
     /// Keys: "limits.pressure_angle_deg". Of one of them the least, or the largest, value with a motion is
     /// sought first (studies/least/least_value.hpp); the weights choose among the motions at it.
     std::string least = {}, largest = {};
@@ -260,7 +263,7 @@ struct PeakLimit {
         return one_normalised > 0.0 ? one_normalised : given / normalised;
     }
     /// In a unit, in time or by the cam angle: it holds for the motion itself. A normalised one holds for
-    /// each segment of a program by its own angle and displacement.
+    /// each spline segment of a program as its peaks are measured (objective.peaks).
     [[nodiscard]] bool physical() const { return !unit.empty(); }
     [[nodiscard]] bool in_time() const { return is_unit_of_time(unit); }
     friend bool operator==(const PeakLimit&, const PeakLimit&) = default;
@@ -429,6 +432,7 @@ void validate(const Scene& scene);
 [[nodiscard]] const char* name_of(SegmentKind value);
 [[nodiscard]] const char* name_of(EndJerk value);
 [[nodiscard]] const char* name_of(TieBreak value);
+[[nodiscard]] const char* name_of(PeakScope value);
 
 [[nodiscard]] int segments_of(const SplineSpec& spline);
 

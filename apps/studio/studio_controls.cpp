@@ -5,6 +5,7 @@
 #include "input/document/document.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "scene/limit_table.hpp"
 #include "scene/part_names.hpp"
 #include "solvers/registry.hpp"
 
@@ -152,6 +153,13 @@ ControlJson slider_json(const KeyRow& row, const Spelling& spelling, const Node&
     return {{"from", slider.from}, {"to", slider.to}, {"step", slider.step}};
 }
 
+/// The key of [objective] that seeks the number of a limit; empty: it is none.
+std::string seeking_key(const SceneTable& table, const KeyRow& row) {
+    const bool number = row.type == KeyType::number || row.type == KeyType::number_or_bounds;
+    if (table.path != "limits" || !number) return {};
+    return is_least_limit(row.name) ? "objective.largest" : "objective.least";
+}
+
 ControlJson control_json(const SceneTable& table, const KeyRow& row, const Spelling& spelling,
                          const Node* value) {
     const ControlJson choices = choices_json(row);
@@ -175,6 +183,7 @@ ControlJson control_json(const SceneTable& table, const KeyRow& row, const Spell
             {"allowed", row.allowed(spelling)},
             {"meaning", row.meaning},
             {"may_range", row.type == KeyType::number_or_range},
+            {"seek", seeking_key(table, row)},
             {"slider", slides ? slider_json(row, spelling, *value) : ControlJson(nullptr)}};
 }
 

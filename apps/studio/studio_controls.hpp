@@ -19,6 +19,7 @@ namespace camopt::apps {
 ///   value, unit, choices, default, allowed, meaning
 ///   units        { unit, factor } of every unit a number may be typed in: value = number · factor
 ///   may_range    a number that may be a range, searched by the optimizer
+///   seek         of a limit the key that finds how far it can go, "objective.least"; else empty
 ///   slider       { from, to, step } of a given number or integer, else null
 ///
 /// Tables and arrays are none. Of keys the scene does not have, those that need a cam or forces it has not,

@@ -48,9 +48,15 @@ std::string verification_words(const std::vector<ConstraintReport>& limits) {
 }
 
 constexpr const char* peak_note =
-    "Peaks are exact, not sampled. Normalised: by lift and rise angle, of a program by each spline segment's "
-    "own angle and displacement (the lift where that is free); those of the whole motion include the law "
-    "segments.";
+    "Peaks are exact, not sampled. Normalised: by lift and rise angle, of a program by angle and "
+    "displacement "
+    "of each stroke, its splines from rest to rest (by the lift where that is 0 or free); those of the whole "
+    "motion include the law segments.";
+constexpr const char* motion_peak_note =
+    "Peaks are exact, not sampled. Normalised: by the lift and the angle of the first spline "
+    "(objective.peaks = \"motion\").";
+constexpr const char* prescribed_peak_note =
+    "Peaks are exact, not sampled. Normalised: by each law's own angle and displacement.";
 
 /// What stands in the column of the curve of least objective; empty where there is none.
 std::string any_curve_note(const Solution& solution) {
@@ -144,6 +150,7 @@ Table measured_table(const Solution& solution) {
 Table peak_table(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
     const bool program = !solution.segments.empty(), prescribed = solution.scene.motion.prescribed();
+    const bool of_motion = program && solution.scene.objective.peaks == PeakScope::motion;
     Table table{"peaks",
                 "Peaks",
                 {{.key = "peak", .left = true},
@@ -159,9 +166,9 @@ Table peak_table(const Solution& solution) {
                  {.key = "curve_of_least_objective", .where = Where::reports},
                  {.key = "peak_of_the_other_sign", .where = Where::reports}},
                 {},
-                prescribed
-                    ? "Peaks are exact, not sampled. Normalised: by each law's own angle and displacement."
-                    : peak_note + any_curve_note(solution)};
+                of_motion    ? motion_peak_note
+                : prescribed ? prescribed_peak_note
+                             : peak_note + any_curve_note(solution)};
     table.note_where = Where::reports;
     for (const PeakRow& row : peak_comparison(solution, reference)) {
         std::vector<Cell>& cells = table.rows.emplace_back(table.columns.size());
@@ -200,8 +207,11 @@ Table segment_table(const Solution& solution) {
                  {"J"},
                  {"joint"}},
                 {},
-                "V, A, J: by the segment's own angle and displacement, a free one by the lift. Joint: the "
-                "highest derivative that is continuous where the segment begins, 3 at most."};
+                fmt::format("V, A, J: {}. Joint: the highest derivative that is continuous where the segment "
+                            "begins, 3 at most.",
+                            solution.scene.objective.peaks == PeakScope::motion
+                                ? "by the lift and the angle of the first spline"
+                                : "by angle and displacement of the stroke, a free one by the lift")};
     const auto place = [&](double y) { return Cell(std::abs(y) < nothing ? 0.0 : displacement.si(y)); };
     for (const SegmentReport& segment : solution.segments) {
         std::vector<Cell>& row = table.rows.emplace_back();

@@ -93,6 +93,10 @@ Rows objective() {
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective", term.name, number, plain, not_negative, {}, "0", term.weight_meaning,
                         stored_in(&Scene::objective, term.weight), needs_of(term)});
+    rows.push_back(called("what peaks are of", {"objective", "peaks", text, plain, any, {"strokes", "motion"}, "\"strokes\"",
+        "Of a program: velocity, acceleration and jerk of each stroke by its own angle and displacement, a stroke being the splines "
+        "from rest to rest; `\"motion\"`: of the whole motion, by the lift and the angle of the first spline. DRD and RR: the same.",
+        stored_in(&Scene::objective, &ObjectiveSpec::peaks)}));
     rows.push_back(called("least value of a number", {"objective", "least", text, plain, any, {}, "none",
         "A key, such as `\"limits.pressure_angle_deg\"`: its least value for which motions exist is found and proved; the weights "
         "then choose among these motions. Any cap of [limits], given or not, and other numbers of the scene.",

@@ -4,7 +4,7 @@ from .exact import ORDERS, Unverified
 
 KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "forces", "measured", "limits", "drawing",
                 "solver", "dynamics", "drive"}
-KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
+KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break", "peaks",
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset", "motor_torque",
                "motor_torque_rms", "deviation", "deviation_rms"}
 KNOWN_LIMITS = ("velocity", "acceleration", "jerk", "pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",

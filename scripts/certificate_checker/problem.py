@@ -224,12 +224,48 @@ class Problem:
         groups = [[i for i, _ in group] for kind, group in itertools.groupby(enumerate(kinds), lambda own: own[1])
                   if kind == "spline"]
         joined = self.wraps and len(groups) > 1 and kinds[0] == kinds[-1] == "spline"
+        self.measure_strokes(segments)
         first = groups.pop(0) if joined else []
         apart = int(joined and closed == "relative")  # then the delivered motion has a curve on either side of the start
         for k, group in enumerate(groups):
             passed = first if group is groups[-1] else []
             curves = [(k + apart, Fraction(0))] + [(0, joints[-1])] * (apart if passed else 0)
             self.add_run(segments, group + passed, passed, curves)
+
+    def measure_strokes(self, segments):
+        """What V, A and J are measured by: splines that join in motion are one stroke; or the whole motion is (objective.peaks)."""
+        if self.objective.get("peaks", "strokes") == "motion":
+            for stretch in self.stretches:
+                stretch.measure = (Fraction(1), Fraction(1))
+            return
+        count = len(segments)
+
+        def begins(i):
+            before = (i or count) - 1
+            if segments[i]["kind"] != "spline" or segments[before]["kind"] != "spline" or (i == 0 and not self.wraps):
+                return True
+            end = segments[before].get("end", {})
+            width = self.stretches[before].end - self.stretches[before].begin
+            known = not self.stretches[before].free and not self.stretches[i].free
+            return (known and self.turns_back(segments, before, i)) or self.derivative_in_unit(end, "velocity", width) == 0
+
+        starts = [i for i in range(count) if begins(i)] or [0]
+        for start, following in zip(starts, starts[1:] + [starts[0] + count]):
+            if following - start > 1:
+                self.measure_stroke(start, following, count)
+
+    def measure_stroke(self, start, following, count):
+        """Of the segments from start to following, which may go on at the start of the turn."""
+        last = min(following, count)
+        ends = [(self.stated_levels[start], self.stated_levels[last])]
+        if following > count:
+            ends.append((self.stated_levels[0], self.stated_levels[following - count]))
+        known = all(level is not None for pair in ends for level in pair)
+        moved = abs(sum(to - begin for begin, to in ends)) if known else Fraction(1)
+        own = [self.stretches[i % count] for i in range(start, following)]
+        angle = sum(stretch.end - stretch.begin for stretch in own)
+        for stretch in own:
+            stretch.measure = (angle, moved if moved >= Fraction(1, 10**9) else Fraction(1))
 
     def levels(self, segments, closed):
         known = [None] * (len(segments) + 1)

@@ -12,9 +12,12 @@ class Stretch:
 
     def __init__(self, kind, begin, end, start, to, free=False):
         self.kind, self.begin, self.end, self.start, self.to, self.free = kind, begin, end, start, to, free
+        self.measure = None  # (angle, displacement) of its stroke, where that is more than the stretch
 
     def scale(self, order):
         """y^(order) is this times what V, A and J of the stretch measure."""
+        if self.measure:
+            return self.measure[1] / self.measure[0]**order
         displacement = Fraction(1) if self.free else abs(self.to - self.start)
         if displacement < Fraction(1, 10**9):
             displacement = Fraction(1)

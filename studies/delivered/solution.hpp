@@ -132,14 +132,14 @@ struct ConflictReport {
     std::string remark = {};  ///< which part of the rule: "face turns back"; mostly empty
 };
 
-/// One segment of a program. `peaks`, `curve`: of spline segments, normalised by its own angle and
-/// displacement.
+/// One segment of a program. `peaks`, `curve`: of spline segments, normalised by angle and displacement of
+/// its stroke (peak_scales).
 struct SegmentReport {
     SegmentKind kind = SegmentKind::dwell;
     std::string law;
     double begin = 0.0, end = 0.0;     ///< x
     double from = 0.0, to = 0.0;       ///< displacements, in lifts
-    std::optional<Peaks> peaks;        ///< by its own angle and displacement; none of a dwell
+    std::optional<Peaks> peaks;        ///< as peak_scales says; none of a dwell
     std::optional<SplineCurve> curve;  ///< over x
     /// The highest derivative that is continuous at its beginning; -1 at the open beginning of a motion.
     int continuity = 0;

@@ -62,7 +62,7 @@ SplineCurve curve_of(const ChainPart& part) {
 
 void report_segments(Solution& solution) {
     const MotionChain& motion = *solution.motion;
-    const std::shared_ptr<const MotionFamily> family = family_of(solution);
+    const std::vector<StretchScale> scales = peak_scales(solution.scene);
     JoinedMeans means;
     for (std::size_t s = 0; s < motion.parts().size(); ++s) {
         const ChainPart& part = motion.parts()[s];
@@ -84,10 +84,7 @@ void report_segments(Solution& solution) {
         if (written.kind == SegmentKind::spline) {
             report.curve = curve_of(part);
             const Peaks own = peaks_of(*report.curve);
-            const MotionFamily::Stretch& stretch = family->stretches()[s];
-            const bool free = !known_displacement(stretch.from) || !known_displacement(stretch.to);
-            report.peaks = normalised_peaks(
-                own, {part.end - part.begin, free ? 1.0 : measured_displacement(report.to - report.from)});
+            report.peaks = normalised_peaks(own, scales[s]);
             raise_peaks(solution.peaks, *report.peaks);
             raise_peaks(solution.motion_peaks, own);
             means.add(*report.peaks, part.end - part.begin);
@@ -96,8 +93,11 @@ void report_segments(Solution& solution) {
             const LawStroke stroke{written.kind, written.law, part.begin, part.end, report.from, report.to};
             const Peaks own =
                 law_peaks(stroke, *make_law(written.law), motion, solution.scene.motion.periodic());
+            const bool of_motion = solution.scene.objective.peaks == PeakScope::motion;
             report.peaks = normalised_peaks(
-                own, {part.end - part.begin, measured_displacement(report.to - report.from)});
+                own, of_motion ? scales[s]
+                               : StretchScale{part.end - part.begin,
+                                              measured_displacement(report.to - report.from)});
             raise_peaks(solution.motion_peaks, own);
             if (solution.scene.motion.prescribed()) {
                 raise_peaks(solution.peaks, *report.peaks);

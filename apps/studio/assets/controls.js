@@ -136,13 +136,28 @@
       onclick: () => set(pathOf(control), other, false) }, 'search');
   }
 
-  camopt.controlRow = function (control, set) {
+  /** How far can this limit go? The scene seeks its number, and the weights choose among the motions at it. */
+  function seekButton(control, set, valueOf) {
+    if (!control.seek || control.type !== 'number') return null;
+    const path = pathOf(control), sought = valueOf(control.seek) === path;
+    const other = control.seek === 'objective.least' ? 'objective.largest' : 'objective.least';
+    const seek = () => {
+      if (!sought && valueOf(other) !== undefined) set(other, null, true); // one number at a time
+      set(control.seek, sought ? null : path, false);
+    };
+    const way = control.seek === 'objective.least' ? 'least' : 'largest';
+    return element('button', { type: 'button', class: 'small', 'data-seek': path, 'aria-pressed': String(sought), onclick: seek,
+      title: sought ? 'Take the number as it is' : 'Find and prove the ' + way + ' value for which motions exist' }, 'how far?');
+  }
+
+  /** valueOf: what the scene gives for a path; undefined: nothing. */
+  camopt.controlRow = function (control, set, valueOf) {
     const made = makers[control.type](control, set);
     const away = control.default === 'required' ? null
       : element('button', { type: 'button', class: 'small away', 'aria-label': 'Leave out ' + control.label, title: 'Leave out: ' + control.default, onclick: () => set(pathOf(control), null, false) }, '×');
     const row = element('div', { class: 'control type-' + control.type, 'data-key': pathOf(control) },
       element('span', { class: 'control-name', title: hintOf(control) }, control.name + (control.shown_unit ? ', ' : ''), control.shown_unit ? element('span', { class: 'unit' }, control.shown_unit) : null),
-      ...made.parts, element('span', { class: 'control-buttons' }, searchButton(control, set), away));
+      ...made.parts, element('span', { class: 'control-buttons' }, seekButton(control, set, valueOf), searchButton(control, set), away));
     return { row, show: made.show };
   };
 

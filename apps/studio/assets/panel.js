@@ -5,7 +5,7 @@
   const { element } = camopt;
 
   /** What a list of controls looks like, whatever the values. */
-  const shapeOf = (controls) => controls.map((one) => [camopt.controlPath(one), one.given, one.type, one.item === 'kind' || one.item === 'type' ? one.value : ''].join(' ')).join('\n');
+  const shapeOf = (controls) => controls.map((one) => [camopt.controlPath(one), one.given, one.type, ['kind', 'type', 'least', 'largest'].includes(one.item) ? one.value : ''].join(' ')).join('\n');
 
   /** Which segment an angle of a closed program takes from. */
   function giverRow(controls, giver) {
@@ -42,9 +42,10 @@
     function build(controls) {
       const tables = [...new Set(controls.map((one) => one.table))];
       rows = new Map();
+      const valueOf = (path) => controls.find((one) => one.given && camopt.controlPath(one) === path)?.value;
       host.replaceChildren(...tables.map((table) => {
         const own = controls.filter((one) => one.table === table);
-        const made = own.filter((one) => one.given).map((one) => { const row = camopt.controlRow(one, set); rows.set(camopt.controlPath(one), row); return row.row; });
+        const made = own.filter((one) => one.given).map((one) => { const row = camopt.controlRow(one, set, valueOf); rows.set(camopt.controlPath(one), row); return row.row; });
         const group = element('details', { class: 'group', open: !closed.has(table), 'data-table': table },
           element('summary', {}, own[0].group), listButtons(table, controls, edit), ...made, table === 'motion' ? giverRow(controls, giver) : null, camopt.addKey(table, own.filter((one) => !one.given), set));
         group.addEventListener('toggle', () => { if (group.open) closed.delete(table); else closed.add(table); });

@@ -287,6 +287,14 @@ void add_motion_of(py::class_<SolvedScene>& type) {
             "Events, durations, areas and accelerations of a valve lobe as result.json has them; None for "
             "other "
             "motions.")
+        .def_property_readonly(
+            "least",
+            [](const SolvedScene& s) -> py::object {
+                if (!of(s).least) return py::none();
+                return py::cast<py::dict>(dictionary(s))["least"];
+            },
+            "How far the number of objective.least or largest went, as result.json has it: key, value,\n"
+            "impossible, verdict, …; None where the scene seeks none.")
         .def("table", &table,
              "The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam "
              "angles, the\n"

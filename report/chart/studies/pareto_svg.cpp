@@ -10,7 +10,7 @@ namespace camopt {
 namespace {
 
 /// How a goal is shown: its name, and what its value in the front (normalised, m) is multiplied by. With a
-/// speed a peak of one rise or return stands in its unit; a program's is of its segments, each by its own
+/// speed a peak of one rise or return stands in its unit; a program's is of its strokes, each by its own
 /// angle.
 struct GoalAxis {
     std::string title;

@@ -64,6 +64,13 @@ TEST(StudioControls, DistinguishRangesAndPossibleRanges) {
     EXPECT_EQ(control_of(controls, "objective.reference", "jerk")["value"], 69);
 }
 
+TEST(StudioControls, SayHowLimitsAreSought) {
+    const Json controls = studio_controls(text_of("cam_roller.toml"));
+    EXPECT_EQ(control_of(controls, "limits", "pressure_angle_deg")["seek"], "objective.least");
+    EXPECT_EQ(control_of(controls, "limits", "cam_radius_min_mm")["seek"], "objective.largest");
+    EXPECT_EQ(control_of(controls, "cam", "base_radius_mm")["seek"], "");
+}
+
 TEST(StudioControls, OfferOnlyApplicableKeys) {
     const Json plain = studio_controls(text_of("drd_cubic_12.toml"));
     EXPECT_TRUE(control_of(plain, "limits", "pressure_angle_deg").is_null());

@@ -143,6 +143,36 @@ std::vector<bool> given_levels(const SceneNumbers& scene) {
     return given;
 }
 
+/// Neighbouring splines are one stroke, but where one rises and the other falls between displacements of the
+/// scene; of a closed program also the last and the first.
+void join_strokes(Motion& motion, bool closed, const std::vector<bool>& given) {
+    std::vector<Stretch>& all = motion.stretches;
+    const std::size_t count = all.size();
+    const auto begins = [&](std::size_t k) {
+        if (k == 0 && !closed) return true;
+        const Stretch &own = all[k], &before = all[(k + count - 1) % count];
+        if (own.kind != "spline" || before.kind != "spline") return true;
+        return !own.free && !before.free && (own.to - own.from) * (before.to - before.from) < 0;
+    };
+    std::size_t first = 0;
+    while (first < count && !begins(first)) ++first;
+    for (std::size_t k = 0, size = 0; k < count; k += size) {
+        const std::size_t begin = (first + k) % count;
+        size = 1;
+        while (k + size < count && !begins((begin + size) % count)) ++size;
+        if (size == 1) continue;
+        const std::size_t last = (begin + size - 1) % count;
+        long double angle = 0;
+        for (std::size_t i = 0; i < size; ++i)
+            angle += all[(begin + i) % count].end - all[(begin + i) % count].begin;
+        const bool known = given[begin] && given[last + 1];
+        for (std::size_t i = 0; i < size; ++i) {
+            all[(begin + i) % count].stroke_angle = angle;
+            all[(begin + i) % count].stroke_rise = known ? std::abs(all[last].to - all[begin].from) : 1.0L;
+        }
+    }
+}
+
 }  // namespace
 
 std::array<long double, 4> Piece::at(long double x) const {
@@ -194,6 +224,7 @@ Motion delivered_motion(const SceneNumbers& scene, const Outcome& outcome) {
         else
             add_dwell(motion, index);
     }
+    join_strokes(motion, scene.closed, given);
     return motion;
 }
 

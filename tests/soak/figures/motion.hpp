@@ -32,6 +32,8 @@ struct Stretch {
     long double begin = 0, end = 1, from = 0, to = 1;
     int continuity = 0;
     bool free = false;  ///< its displacement is not the scene's
+    /// Of splines that join in motion together: what their peaks are measured by. 0: of this one alone.
+    long double stroke_angle = 0, stroke_rise = 0;
 };
 
 struct Motion {

@@ -60,8 +60,12 @@ MotionFigures figures_of(const Motion& motion) {
         const auto index = static_cast<std::size_t>(piece.stretch);
         const Stretch& stretch = motion.stretches[index];
         const bool whole = motion.stretches.size() == 1;
-        const long double angle = whole ? 1 : stretch.end - stretch.begin;
-        const long double rise = whole || stretch.free ? 1 : std::abs(stretch.to - stretch.from);
+        const bool joined = stretch.stroke_angle > 0;
+        const long double angle = whole ? 1 : joined ? stretch.stroke_angle : stretch.end - stretch.begin;
+        const long double rise = whole          ? 1
+                                 : joined       ? stretch.stroke_rise
+                                 : stretch.free ? 1
+                                                : std::abs(stretch.to - stretch.from);
         const long double width = piece.end - piece.begin;
         std::array<Polynomial, 4> derivative;
         derivative[0] = piece.y;

@@ -17,8 +17,8 @@ struct TrainFigures {
 };
 
 struct MotionFigures {
-    /// max |y'|, |y''|, |y'''| by order; of a program the largest over its spline segments, each by its own
-    /// angle and displacement.
+    /// max |y'|, |y''|, |y'''| by order; of a program the largest over its strokes, each by its own angle and
+    /// displacement.
     std::array<long double, 4> peak{};
     /// The same of the whole motion in lifts and units of x, laws included: what limits in time are about.
     std::array<long double, 4> whole{};

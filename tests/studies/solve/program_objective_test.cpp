@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Objectives of programs against their definition: V, A, J are the largest over the spline segments of
-// |s'| β / |h|, |s''| β² / |h|, |s'''| β³ / |h| with that segment's own angle β and displacement h, the
-// lift where h is 0 or free. Everything is recomputed from the published knots and control points alone.
+// Objectives of programs against their definition: V, A, J are the largest over the strokes of |s'| β / |h|,
+// |s''| β² / |h|, |s'''| β³ / |h| with the angle β and the displacement h of the stroke, the lift where h is
+// 0 or free. Neighbouring splines are one stroke, but where the motion turns back. Everything is recomputed
+// from the published knots and control points alone.
 #include "core/errors.hpp"
+#include "objectives/program_family.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -94,18 +97,38 @@ std::vector<bool> given_joints(const MotionSpec& motion) {
     return given;
 }
 
+/// {angle in x, displacement} of the stroke that each segment belongs to; of programs that begin at rest.
+std::vector<std::array<double, 2>> stroke_measures(const Solution& solution) {
+    const std::vector<bool> given = given_joints(solution.scene.motion);
+    const std::vector<SegmentReport>& all = solution.segments;
+    std::vector<std::array<double, 2>> measures(all.size());
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+        const auto turns = [&](std::size_t i) {
+            return given[i - 1] && given[i] && given[i + 1] &&
+                   (all[i].to - all[i].from) * (all[i - 1].to - all[i - 1].from) < 0.0;
+        };
+        end = begin + 1;
+        while (all[begin].kind == SegmentKind::spline && end < all.size() &&
+               all[end].kind == SegmentKind::spline && !turns(end))
+            ++end;
+        const double moved = std::abs(all[end - 1].to - all[begin].from);
+        const bool by_lift = moved < 1e-9 || !given[begin] || !given[end];
+        for (std::size_t i = begin; i < end; ++i)
+            measures[i] = {all[end - 1].end - all[begin].begin, by_lift ? 1.0 : moved};
+    }
+    return measures;
+}
+
 Measured measured(const Solution& solution) {
     Measured result;
-    const std::vector<bool> given = given_joints(solution.scene.motion);
+    const std::vector<std::array<double, 2>> measures = stroke_measures(solution);
     for (std::size_t i = 0; i < solution.segments.size(); ++i) {
         const SegmentReport& segment = solution.segments[i];
         if (segment.kind != SegmentKind::spline) continue;
         const std::vector<double> knots = segment.curve->knots();
         const Eigen::VectorXd published = segment.curve->coefficients();
         const std::vector<double> points(published.begin(), published.end());
-        const double angle = knots.back() - knots.front();
-        const double moved = std::abs(points.back() - points.front());
-        const double measure = moved < 1e-9 || !given[i] || !given[i + 1] ? 1.0 : moved;
+        const auto& [angle, measure] = measures[i];
         for (int order = 1; order <= 3; ++order)
             result.peak[static_cast<std::size_t>(order)] = std::max(
                 result.peak[static_cast<std::size_t>(order)],
@@ -150,6 +173,49 @@ void expect_proved(const Solution& solution) {
         if (!part.infeasible) bound = std::min(bound, own);
     }
     EXPECT_GE(bound, *certificate.lower_bound);
+}
+
+// Where splines join in motion is a matter of how a stroke is written, not of what it costs.
+
+TEST(ProgramObjective, SplinesThatJoinInMotionAreOneStroke) {
+    const Solution one = solve(scene_named("joined_by_set_point")),
+                   joined = solve(scene_named("joined_strokes"));
+    ASSERT_EQ(one.certificate.verdict, Verdict::optimal);
+    ASSERT_EQ(joined.certificate.verdict, Verdict::optimal);
+    // The joined one has the breakpoints of both parts: twice as many, and a little less.
+    EXPECT_LE(joined.certificate.objective, one.certificate.objective * (1.0 + 1e-6));
+    EXPECT_GE(joined.certificate.objective, one.certificate.objective * 0.97);
+    expect_measured(joined);
+    expect_proved(joined);
+}
+
+TEST(ProgramObjective, StrokesPartWhereMotionRests) {
+    const TestScene scene = scene_named("joined_strokes");
+    const auto scales = [](const Scene& of) { return peak_scales(of); };
+    const auto together = scales(scene);
+    EXPECT_NEAR(together[1].angle, 140.0 / 87.5, 1e-12);
+    EXPECT_NEAR(together[1].displacement, 1.0, 1e-12);
+    EXPECT_EQ(together[2].angle, together[1].angle);
+    Scene resting = scene;
+    resting.motion.segments[1].end = SetPoint{.at = 1.0, .velocity = 0.0};
+    const auto parted = scales(resting);
+    EXPECT_NEAR(parted[1].angle, 1.0, 1e-12);
+    EXPECT_NEAR(parted[1].displacement, 23.5 / 85.0, 1e-12);
+    EXPECT_NEAR(parted[2].angle, 52.5 / 87.5, 1e-12);
+}
+
+TEST(ProgramObjective, OfMotionIsLeastPeakOfCycle) {
+    const std::pair<const char*, double> known[] = {{"48_weld", 292.0744}, {"55_die", 2.89424}};
+    const std::pair<const char*, double> units[] = {{"in/s^2", 0.0254}, {"m/s^2", 1.0}};
+    for (std::size_t i = 0; i < std::size(known); ++i) {
+        const Solution solution = solve(scene_named(known[i].first).with("objective.peaks = 'motion'"));
+        ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
+        const MotionSpec& motion = solution.scene.motion;
+        const double per_normalised = motion.lift * std::pow(*motion.speed / motion.unit_angle(), 2);
+        EXPECT_NEAR(solution.motion_peaks.acceleration.value * per_normalised / units[i].second,
+                    known[i].second, 1e-6 * known[i].second);
+        EXPECT_EQ(solution.peaks.acceleration.value, solution.motion_peaks.acceleration.value);
+    }
 }
 
 TEST(ProgramObjective, IsMeasuredByTheLift) {
