@@ -177,7 +177,7 @@ void expect_proved(const Solution& solution) {
 
 // Where splines join in motion is a matter of how a stroke is written, not of what it costs.
 
-TEST(ProgramObjective, SplinesThatJoinInMotionAreOneStroke) {
+TEST(ProgramObjective, JoinedSplinesAreOneStroke) {
     const Solution one = solve(scene_named("joined_by_set_point")),
                    joined = solve(scene_named("joined_strokes"));
     ASSERT_EQ(one.certificate.verdict, Verdict::optimal);
@@ -204,9 +204,9 @@ TEST(ProgramObjective, StrokesPartWhereMotionRests) {
     EXPECT_NEAR(parted[2].angle, 52.5 / 87.5, 1e-12);
 }
 
-TEST(ProgramObjective, OfMotionIsLeastPeakOfCycle) {
+TEST(ProgramObjective, OfMotionIsLeastPeak) {
     const std::pair<const char*, double> known[] = {{"48_weld", 292.0744}, {"55_die", 2.89424}};
-    const std::pair<const char*, double> units[] = {{"in/s^2", 0.0254}, {"m/s^2", 1.0}};
+    const double units[] = {0.0254, 1.0};  // in/s², m/s²
     for (std::size_t i = 0; i < std::size(known); ++i) {
         const Solution solution = solve(scene_named(known[i].first).with("objective.peaks = 'motion'"));
         ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
