@@ -212,8 +212,8 @@ TEST(ProgramObjective, OfMotionIsLeastPeak) {
         ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
         const MotionSpec& motion = solution.scene.motion;
         const double per_normalised = motion.lift * std::pow(*motion.speed / motion.unit_angle(), 2);
-        EXPECT_NEAR(solution.motion_peaks.acceleration.value * per_normalised / units[i].second,
-                    known[i].second, 1e-6 * known[i].second);
+        EXPECT_NEAR(solution.motion_peaks.acceleration.value * per_normalised / units[i], known[i].second,
+                    1e-6 * known[i].second);
         EXPECT_EQ(solution.peaks.acceleration.value, solution.motion_peaks.acceleration.value);
     }
 }
