@@ -315,18 +315,23 @@ class Strokes {
         if (!levels_[from] || !levels_[to]) return std::nullopt;
         return *levels_[to] - *levels_[from];
     }
+    /// Where a segment begins, x.
+    [[nodiscard]] double begin_of(std::size_t segment) const {
+        double angle = 0.0;
+        for (std::size_t i = 0; i < segment; ++i) angle += motion_.segments[i].angle;
+        return angle / motion_.unit_angle();
+    }
     /// Of so many segments, which may go on at the start of the turn.
     [[nodiscard]] StretchScale scale_of(std::size_t begin, std::size_t size) const {
-        const std::size_t count = motion_.own_segments();
-        double angle = 0.0;
-        for (std::size_t i = 0; i < size; ++i) angle += motion_.segments[(begin + i) % count].angle;
-        const std::size_t end = std::min(begin + size, count);
+        const std::size_t end = std::min(begin + size, motion_.own_segments());
+        double angle = begin_of(end) - begin_of(begin);
         std::optional<double> whole = moved(begin, end);
-        if (begin + size > count) {
-            const std::optional<double> beyond = moved(0, begin + size - count);
+        if (const std::size_t more = begin + size - end; more > 0) {
+            angle += begin_of(more);
+            const std::optional<double> beyond = moved(0, more);
             whole = whole && beyond ? std::optional(*whole + *beyond) : std::nullopt;
         }
-        return {angle / motion_.unit_angle(), whole ? measured_displacement(*whole) : 1.0};
+        return {angle, whole ? measured_displacement(*whole) : 1.0};
     }
 };
 
