@@ -4,7 +4,6 @@
 #include "report/surface/mesh_cut.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
-#include "shop/sheet/sheet_painter.hpp"
 
 #include <fmt/format.h>
 
