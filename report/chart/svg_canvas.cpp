@@ -62,44 +62,64 @@ std::string svg_number(double value, int decimals) {
 }
 
 SvgCanvas::SvgCanvas(double width, double height, std::string_view style, std::string_view title) {
+    begin(width, height, "",
+          fmt::format("text{{font-family:{};font-size:12px;fill:#222}}{}{}", picture_fonts, common_style,
+                      style),
+          title);
+}
+
+SvgCanvas SvgCanvas::on_paper(double width, double height, std::string_view style, std::string_view title) {
+    SvgCanvas canvas;
+    canvas.decimals_ = 4;
+    canvas.begin(width, height, "mm", style, title);
+    return canvas;
+}
+
+void SvgCanvas::begin(double width, double height, std::string_view unit, std::string_view style,
+                      std::string_view title) {
     content_ = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "role=\"img\">\n<title>{2}</title>\n<style>text{{font-family:{3};font-size:12px;fill:#222}}{4}{5}</"
-        "style>\n",
-        svg_number(width), svg_number(height), xml_text(title), picture_fonts, common_style, style);
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}{2}\" height=\"{1}{2}\" viewBox=\"0 0 {0} "
+        "{1}\" "
+        "role=\"img\">\n<title>{3}</title>\n<style>{4}</style>\n",
+        number(width), number(height), unit, xml_text(title), style);
+}
+
+std::string SvgCanvas::number(double value) const {
+    return svg_number(value, decimals_);
 }
 
 void SvgCanvas::line(double x1, double y1, double x2, double y2, std::string_view css_class) {
-    content_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" class=\"{}\"/>\n", svg_number(x1),
-                            svg_number(y1), svg_number(x2), svg_number(y2), css_class);
+    content_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" class=\"{}\"/>\n", number(x1),
+                            number(y1), number(x2), number(y2), css_class);
 }
 
 void SvgCanvas::rectangle(double x, double y, double width, double height, std::string_view css_class) {
-    content_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" class=\"{}\"/>\n",
-                            svg_number(x), svg_number(y), svg_number(width), svg_number(height), css_class);
+    content_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" class=\"{}\"/>\n", number(x),
+                            number(y), number(width), number(height), css_class);
 }
 
 void SvgCanvas::circle(double x, double y, double radius, std::string_view css_class) {
-    content_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" class=\"{}\"/>\n", svg_number(x),
-                            svg_number(y), svg_number(radius), css_class);
+    content_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" class=\"{}\"/>\n", number(x), number(y),
+                            number(radius), css_class);
 }
 
 void SvgCanvas::path(std::string_view data, std::string_view css_class) {
     content_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, css_class);
 }
 
-void SvgCanvas::text(double x, double y, std::string_view words, std::string_view css_class, double turn) {
-    const std::string rotation = turn == 0.0 ? std::string{}
-                                             : fmt::format(" transform=\"rotate({} {} {})\"",
-                                                           svg_number(-turn), svg_number(x), svg_number(y));
-    content_ += fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\"{}>{}</text>\n", svg_number(x),
-                            svg_number(y), css_class, rotation, xml_text(words));
+void SvgCanvas::text(double x, double y, std::string_view words, std::string_view css_class, double turn,
+                     double size) {
+    const std::string rotation =
+        turn == 0.0 ? std::string{}
+                    : fmt::format(" transform=\"rotate({} {} {})\"", number(-turn), number(x), number(y));
+    const std::string font = size == 0.0 ? std::string{} : fmt::format(" font-size=\"{}\"", number(size));
+    content_ += fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\"{}{}>{}</text>\n", number(x), number(y),
+                            css_class, font, rotation, xml_text(words));
 }
 
 void SvgCanvas::insert(double x, double y, std::string_view elements) {
-    content_ +=
-        fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", svg_number(x), svg_number(y), elements);
+    content_ += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", number(x), number(y), elements);
 }
 
 double text_width(std::string_view words, double font_size, bool bold) {

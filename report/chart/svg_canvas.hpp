@@ -18,23 +18,34 @@ class SvgCanvas {
     /// style: CSS rules besides those that every picture has (page, title, subtitle, caption, value, head,
     /// frame and ticks of a plot …), which they overrule; title: what a screen reader says.
     SvgCanvas(double width, double height, std::string_view style, std::string_view title);
+    /// Of paper, in mm: printed to scale, with no other rules than `style`, coordinates within 0.1 µm.
+    [[nodiscard]] static SvgCanvas on_paper(double width, double height, std::string_view style,
+                                            std::string_view title);
 
     void line(double x1, double y1, double x2, double y2, std::string_view css_class);
     void rectangle(double x, double y, double width, double height, std::string_view css_class);
     void circle(double x, double y, double radius, std::string_view css_class);
     /// data: SVG path data.
     void path(std::string_view data, std::string_view css_class);
-    /// (x, y): the anchor on the text's baseline; rotated counterclockwise by `turn` degrees about it.
-    void text(double x, double y, std::string_view words, std::string_view css_class, double turn = 0.0);
+    /// (x, y): the anchor on the text's baseline; rotated counterclockwise by `turn` degrees about it. size:
+    /// of the font, where no rule gives it.
+    void text(double x, double y, std::string_view words, std::string_view css_class, double turn = 0.0,
+              double size = 0.0);
 
     /// SVG elements made elsewhere, moved to (x, y).
     void insert(double x, double y, std::string_view elements);
 
+    /// A coordinate as this canvas prints it.
+    [[nodiscard]] std::string number(double value) const;
     [[nodiscard]] const std::string& elements() const { return content_; }
     [[nodiscard]] std::string finish() const { return content_ + "</svg>\n"; }
 
  private:
+    void begin(double width, double height, std::string_view unit, std::string_view style,
+               std::string_view title);
+
     std::string content_;
+    int decimals_ = 2;
 };
 
 /// A coordinate, without zeros at its end: a hundredth of a pixel is exact enough.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A plane drawing as a value: lines, arcs, circles and words in named styles, from which pictures, DXF files
-// and pages are made.
+// A plane drawing as a value: lines, arcs, circles and words in named styles, from which pictures, workshop
+// drawings, DXF files and pages are made.
 //
 // m, rad, y upwards. A style is a name ("cam", "pitch"); what it looks like and what lies above what is up
-// to each back end: svg_canvas.hpp below, shop/dxf/dxf_drawing.hpp, report/page. Nothing here knows a cam.
+// to each back end: SVG below, shop/dxf/dxf_drawing.hpp, shop/sheet/pdf, report/page. Nothing here knows a
+// cam.
 #pragma once
 
 #include "core/units.hpp"
@@ -56,6 +57,10 @@ struct DrawnText {
     TextSide anchor = TextSide::start;
     double turn = 0.0;  ///< counterclockwise
 };
+/// Of a text's width, what lies before its anchor.
+[[nodiscard]] inline double share_before(TextSide anchor) {
+    return anchor == TextSide::start ? 0.0 : anchor == TextSide::middle ? 0.5 : 1.0;
+}
 /// A dimension: what it measures of the drawing, and where its line and words stand.
 struct DrawnDimension {
     enum class Kind {
@@ -67,8 +72,8 @@ struct DrawnDimension {
     Kind kind = Kind::linear;
     Eigen::Vector2d first = {0.0, 0.0}, second = {0.0, 0.0};
     double direction = 0.0, sweep = 0.0;
-    Eigen::Vector2d place = {0.0, 0.0};  ///< on the paper
-    bool across = false;                 ///< linear: it measures a diameter, and its words say so
+    Eigen::Vector2d place = {0.0, 0.0};
+    bool across = false;  ///< linear: it measures a diameter, and its words say so
     LengthUnit lengths = LengthUnit::millimetre;
     std::string tolerance = {};  ///< behind the number: "H7"
 
@@ -98,23 +103,29 @@ struct Drawing {
     void line(std::string style, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
         path(std::move(style), {{from, 0.0}, {to, 0.0}});
     }
+    /// Of a circle, from angle to angle (rad), counterclockwise where `to` is larger.
+    void arc(std::string style, const Eigen::Vector2d& center, double radius, double from, double to);
+    void rectangle(std::string style, const Eigen::Vector2d& low, const Eigen::Vector2d& high);
     void circle(std::string style, const Eigen::Vector2d& center, double radius) {
         elements.emplace_back(DrawnCircle{std::move(style), center, radius});
     }
+    void text(DrawnText text) { elements.emplace_back(std::move(text)); }
+    void add(const Drawing& other);
     void move(const Eigen::Vector2d& offset);
+    void scale(double factor);  ///< about the origin, heights of words too
     /// Of vertices and circles; an arc may reach a little beyond, words do not count.
     [[nodiscard]] DrawingBox box() const;
     [[nodiscard]] bool has(std::string_view style) const;
 };
 
 [[nodiscard]] const std::string& style_of(const DrawnElement& element);
+inline constexpr double capital_height = 0.729;  ///< of a font's size: of DejaVu Sans
 
 // The back end SVG.
 
 /// Where a point of the drawing lies in a picture: origin.x + scale.x x, origin.y − scale.y y.
 struct PicturePlace {
     Eigen::Vector2d origin = {0.0, 0.0}, scale = {1.0, 1.0};
-    int decimals = 2;  ///< of coordinates: a hundredth of a pixel is exact enough
 
     [[nodiscard]] Eigen::Vector2d operator()(const Eigen::Vector2d& point) const {
         return {origin.x() + scale.x() * point.x(), origin.y() - scale.y() * point.y()};
@@ -123,19 +134,15 @@ struct PicturePlace {
     [[nodiscard]] double px(double count) const { return count / scale.x(); }
 };
 
-/// Path data; arcs need the same scale both ways.
-[[nodiscard]] std::string svg_path(std::span<const ArcVertex> vertices, bool closed,
-                                   const PicturePlace& place);
-
 /// How a style looks in pictures. The first of a list lies at the bottom.
 struct PictureStyle {
     const char* name = "";
     const char* css = "";
-    const char* words = "";  ///< in the legend; empty: not there
 };
 /// CSS rules of the styles; an open path of a filled style is not filled.
 [[nodiscard]] std::string css_of(std::span<const PictureStyle> styles);
-/// Its paths and circles of these styles, those of the first style first.
+/// Its elements of these styles, those of the first style first. Arcs and words need the same scale both
+/// ways.
 void draw(SvgCanvas& canvas, const Drawing& drawing, const PicturePlace& place,
           std::span<const PictureStyle> styles);
 

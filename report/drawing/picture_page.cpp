@@ -30,17 +30,22 @@ PicturePlace fitted_place(const DrawingBox& box) {
             Vector2d::Constant(scale)};
 }
 
+PlotFrame frame_around(const PicturePlace& place, double top, double height, double along, double across,
+                       int ticks_up) {
+    const double right = picture_left + picture_frame_width, bottom = top + height,
+                 kx = place.scale.x() * along, ky = place.scale.y() * across;
+    PlotFrame frame;
+    frame.horizontal = {(picture_left - place.origin.x()) / kx, (right - place.origin.x()) / kx, picture_left,
+                        right};
+    frame.vertical = {(place.origin.y() - bottom) / ky, (place.origin.y() - top) / ky, bottom, top};
+    frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 8);
+    frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, ticks_up);
+    return frame;
+}
+
 void draw_length_frame(SvgCanvas& canvas, const PicturePlace& place, const ShownUnit& length,
                        std::string_view words) {
-    const double one = place.scale.x() * length.size;
-    const double right = picture_left + picture_frame_width, bottom = picture_top + picture_frame_height;
-    PlotFrame frame;
-    frame.horizontal = {(picture_left - place.origin.x()) / one, (right - place.origin.x()) / one,
-                        picture_left, right};
-    frame.vertical = {(place.origin.y() - bottom) / one, (place.origin.y() - picture_top) / one, bottom,
-                      picture_top};
-    frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 8);
-    frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, 8);
+    PlotFrame frame = frame_around(place, picture_top, picture_frame_height, length.size, length.size);
     frame.horizontal_title = words;
     draw_plot_frame(canvas, frame);
 }
@@ -123,9 +128,9 @@ void add_opening(LegendColumn& column, const Solution& solution) {
     column.words(why.substr(0, why.find(": ")));
 }
 
-SvgCanvas new_picture(std::string_view style, std::string_view title) {
-    SvgCanvas canvas(picture_width, picture_height, std::string(style) + column_style, title);
-    canvas.rectangle(0, 0, picture_width, picture_height, "page");
+SvgCanvas new_picture(std::string_view style, std::string_view title, double height) {
+    SvgCanvas canvas(picture_width, height, std::string(style) + column_style, title);
+    canvas.rectangle(0, 0, picture_width, height, "page");
     canvas.text(picture_left, 38, title, "title");
     return canvas;
 }

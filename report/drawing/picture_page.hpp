@@ -17,6 +17,9 @@ inline constexpr double picture_legend_left = 760, picture_legend_top = 76;
 /// The box with a margin around it as large as the frame lets it be, in its middle.
 [[nodiscard]] PicturePlace fitted_place(const DrawingBox& box);
 
+/// A frame as wide as the page's with numbers at its rim: m or rad of one shown unit along and across.
+[[nodiscard]] PlotFrame frame_around(const PicturePlace& place, double top, double height, double along,
+                                     double across, int ticks_up = 8);
 /// Frame, grid and lengths at the rim; `words`: what they are, "x, y in mm (cam frame)".
 void draw_length_frame(SvgCanvas& canvas, const PicturePlace& place, const ShownUnit& length,
                        std::string_view words);
@@ -51,6 +54,7 @@ void add_figures(LegendColumn& column, const Solution& solution);
 void add_opening(LegendColumn& column, const Solution& solution);
 
 /// The page with its title; `style`: CSS rules besides those of the column.
-[[nodiscard]] SvgCanvas new_picture(std::string_view style, std::string_view title);
+[[nodiscard]] SvgCanvas new_picture(std::string_view style, std::string_view title,
+                                    double height = picture_height);
 
 }  // namespace camopt

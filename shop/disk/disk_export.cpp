@@ -13,25 +13,15 @@ namespace {
 
 constexpr int checked_points = 1440;
 constexpr double usual_cutter = 16e-3;  // m, around a cam
-constexpr double equal_widths = 1e-9;   // of the groove's: the cutter fills it
 
 void require(bool holds, const char* what, double found) {
     if (!holds) throw InputError(fmt::format("plane cam: {}, found {:g}", what, found));
 }
 
-std::vector<Eigen::Vector2d> contour(const ProfileShape& shape, int count) {
-    std::vector<Eigen::Vector2d> points;
-    points.reserve(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k)
-        points.push_back(
-            in_plane(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact));
-    return points;
-}
-
 /// Between the cam's faces, which are taken as faced before, and larger around it.
 Blank blank_of(const ProfileShape& shape, const DiskNcOptions& options) {
     double greatest = 0.0;
-    for (const Eigen::Vector2d& point : contour(shape, checked_points))
+    for (const Eigen::Vector2d& point : contour_points(shape, checked_points))
         greatest = std::max(greatest, point.norm());
     const Blank blank =
         chosen_blank({greatest + options.blank.allowance, -options.thickness, 0.0}, options.blank);
@@ -66,7 +56,7 @@ Blank grooved_blank(const ProfileShape& shape, const DiskNcOptions& options) {
 
 WantedSurface flank_surface(const ProfileShape& side, const char* name, double height) {
     WantedSurface surface{name, {}};
-    for (const Eigen::Vector2d& point : contour(side, checked_points))
+    for (const Eigen::Vector2d& point : contour_points(side, checked_points))
         surface.points.emplace_back(point.x(), point.y(), height);
     return surface;
 }
@@ -85,9 +75,6 @@ NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     location.diameter = options.cutter_diameter.value_or(2.0 * location.roller_radius);
     location.stock = options.stock;
     location.station = depth;
-    const bool slot =
-        options.stock == 0.0 && location.diameter >= 2.0 * location.roller_radius * (1.0 - equal_widths);
-    const RollerPath roller = groove_roller(shape);
 
     NcWork work;
     NcJob& job = work.job;
@@ -97,18 +84,7 @@ NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
         fmt::format("the groove, {:.3f} mm wide, {:.3f} mm deep; rim, faces and bore are made before",
                     millimetres_shown.of(2.0 * location.roller_radius), millimetres_shown.of(depth))};
     CuttingTask& task = work.task;
-    MillingPasses milled =
-        groove_passes({roller, shape.knots, location, slot ? std::vector{1} : std::vector{1, -1}, job.blank,
-                       options.milling});
-    task.passes = std::move(milled.passes);
-    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
-    task.knots = shape.knots;
-    task.blocks = {{}, options.chord_tolerance, depth};
-    task.cutter = {location.diameter, depth + location.diameter};
-    task.gouge_tolerance = options.gouge_tolerance;
-    GroovedBody body{roller, shape.begin(), shape.end(), location.roller_radius, depth, job.blank};
-    body.enough = 0.5 * (options.gouge_tolerance + options.chord_tolerance);
-    task.finished = grooved_finished_cam(body);
+    add_groove(work, {groove_roller(shape), shape.knots, location, depth}, options);
     task.surfaces.push_back(flank_surface(shape, "the inner flank", -0.5 * depth));
     task.surfaces.push_back(flank_surface(other_side(shape), "the outer flank", -0.5 * depth));
     for (const WantedSurface& surface : task.surfaces) add_outline(task, surface);
@@ -140,16 +116,14 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
         return ContourPoint{in_plane(point.contact), in_plane(point.normal)};
     };
     task.finished = plane_finished_cam({around, shape.knots});
-    MillingPasses milled = plane_passes({around,
-                                         shape.knots,
-                                         {diameter, options.stock, -depth},
-                                         job.blank,
-                                         options.safe_distance,
-                                         options.chord_tolerance,
-                                         task.finished.get(),
-                                         options.milling});
-    task.passes = std::move(milled.passes);
-    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
+    take_passes(work, plane_passes({around,
+                                    shape.knots,
+                                    {diameter, options.stock, -depth},
+                                    job.blank,
+                                    options.safe_distance,
+                                    options.chord_tolerance,
+                                    task.finished.get(),
+                                    options.milling}));
     task.knots = shape.knots;
     task.blocks.chord_tolerance = options.chord_tolerance;
     task.cutter = {diameter, depth};

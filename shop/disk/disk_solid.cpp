@@ -4,9 +4,10 @@
 #include "report/surface/mesh_cut.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
-#include "shop/sheet/sheet_painter.hpp"
 
 #include <fmt/format.h>
+
+#include <map>
 
 namespace camopt {
 
@@ -79,83 +80,65 @@ Polygon to_the_left(Polygon polygon) {
     return polygon;
 }
 
-void add_wall(TriangleMesh& mesh, int first, int count, int below, bool outside) {
-    for (int i = 0; i < count; ++i) {
-        const int a = first + i, b = first + (i + 1) % count;
-        if (outside) {
-            mesh.triangles.push_back({a, a + below, b + below});
-            mesh.triangles.push_back({a, b + below, b});
+/// Every line of a plate's boundary at its heights once. Lines turn to the left.
+class PlateMesh {
+ public:
+    explicit PlateMesh(const PlateOf<Polygon>& plate) {
+        const double bottom = -plate.thickness;
+        if (plate.groove) {
+            const auto& [outer, inner, depth] = *plate.groove;
+            add_faces(plate.outline, outer, {{0.0, true}});
+            add_faces(outer, inner, {{-depth, true}});
+            add_faces(inner, plate.hole, {{0.0, true}});
+            add_faces(plate.outline, plate.hole, {{bottom, false}});
+            add_wall(outer, -depth, false);
+            add_wall(inner, -depth, true);
         } else {
-            mesh.triangles.push_back({a, b + below, a + below});
-            mesh.triangles.push_back({a, b, b + below});
+            add_faces(plate.outline, plate.hole, {{0.0, true}, {bottom, false}});
+        }
+        add_wall(plate.outline, bottom, true);
+        add_wall(plate.hole, bottom, false);
+    }
+    [[nodiscard]] TriangleMesh mesh() && { return std::move(mesh_); }
+
+ private:
+    struct Level {
+        double z;
+        bool upwards;
+    };
+    TriangleMesh mesh_;
+    std::map<std::pair<const Polygon*, double>, int> first_;  // vertex of a line at a height
+
+    int first_of(const Polygon& line, double z) {
+        const auto [place, is_new] = first_.try_emplace({&line, z}, static_cast<int>(mesh_.vertices.size()));
+        if (is_new)
+            for (const Vector2d& point : line) mesh_.vertices.emplace_back(point.x(), point.y(), z);
+        return place->second;
+    }
+    void add_faces(const Polygon& outline, const Polygon& hole, std::initializer_list<Level> levels) {
+        const std::vector<std::array<int, 3>> triangles = plane_triangles(outline, hole);
+        const int corners = static_cast<int>(outline.size());
+        for (const Level& level : levels) {
+            const int first = first_of(outline, level.z), second = first_of(hole, level.z) - corners;
+            const auto vertex = [&](int i) { return i + (i < corners ? first : second); };
+            for (const std::array<int, 3>& t : triangles)
+                add(vertex(t[0]), vertex(t[1]), vertex(t[2]), level.upwards);
         }
     }
-}
-
-TriangleMesh plate_mesh(const Polygon& outline, const Polygon& hole, double thickness) {
-    TriangleMesh mesh;
-    const int below = static_cast<int>(outline.size() + hole.size());
-    for (const double z : {0.0, -thickness})
-        for (const Polygon* line : {&outline, &hole})
-            for (const Vector2d& point : *line) mesh.vertices.emplace_back(point.x(), point.y(), z);
-    for (const std::array<int, 3>& t : plane_triangles(outline, hole)) {
-        mesh.triangles.push_back(t);
-        mesh.triangles.push_back({t[0] + below, t[2] + below, t[1] + below});
+    /// From the upper face down. outside: the plate lies within it.
+    void add_wall(const Polygon& line, double bottom, bool outside) {
+        const int upper = first_of(line, 0.0), lower = first_of(line, bottom),
+                  count = static_cast<int>(line.size());
+        for (int i = 0; i < count; ++i) {
+            const int next = (i + 1) % count;
+            add(upper + i, lower + i, lower + next, outside);
+            add(upper + i, lower + next, upper + next, outside);
+        }
     }
-    add_wall(mesh, 0, static_cast<int>(outline.size()), below, true);
-    add_wall(mesh, static_cast<int>(outline.size()), static_cast<int>(hole.size()), below, false);
-    return mesh;
-}
-
-/// Lines of a grooved disk from outside to inside; all turn to the left. The hole may be empty.
-struct GroovedLines {
-    const Polygon &rim, &outer, &inner, &hole;
+    void add(int a, int b, int c, bool forwards) {
+        mesh_.triangles.push_back(forwards ? std::array{a, b, c} : std::array{a, c, b});
+    }
 };
-
-/// Every line at its heights once: the upper face on either side of the groove, its floor, the lower face.
-TriangleMesh grooved_mesh(const GroovedLines& lines, double thickness, double depth) {
-    TriangleMesh mesh;
-    const auto add = [&](const Polygon& line, double z) {
-        const int first = static_cast<int>(mesh.vertices.size());
-        for (const Vector2d& point : line) mesh.vertices.emplace_back(point.x(), point.y(), z);
-        return first;
-    };
-    const auto cap = [&](const Polygon& outline, int first, const Polygon& hole, int second, bool upwards) {
-        const int corners = static_cast<int>(outline.size());
-        const auto vertex = [&](int i) { return i < corners ? first + i : second + i - corners; };
-        for (const std::array<int, 3>& t : plane_triangles(outline, hole))
-            mesh.triangles.push_back(upwards ? std::array{vertex(t[0]), vertex(t[1]), vertex(t[2])}
-                                             : std::array{vertex(t[0]), vertex(t[2]), vertex(t[1])});
-    };
-    const auto wall = [&](const Polygon& line, int upper, int lower, bool outside) {
-        add_wall(mesh, upper, static_cast<int>(line.size()), lower - upper, outside);
-    };
-    const int rim = add(lines.rim, 0.0), rim_below = add(lines.rim, -thickness);
-    const int outer = add(lines.outer, 0.0), outer_floor = add(lines.outer, -depth);
-    const int inner = add(lines.inner, 0.0), inner_floor = add(lines.inner, -depth);
-    const int hole = add(lines.hole, 0.0), hole_below = add(lines.hole, -thickness);
-    cap(lines.rim, rim, lines.outer, outer, true);
-    cap(lines.outer, outer_floor, lines.inner, inner_floor, true);
-    cap(lines.inner, inner, lines.hole, hole, true);
-    cap(lines.rim, rim_below, lines.hole, hole_below, false);
-    wall(lines.rim, rim, rim_below, true);
-    wall(lines.outer, outer, outer_floor, false);
-    wall(lines.inner, inner, inner_floor, true);
-    wall(lines.hole, hole, hole_below, false);
-    return mesh;
-}
-
-Polygon even_polygon(const ProfileShape& shape, int count) {
-    if (count < least_points)
-        throw InputError(
-            fmt::format("plane cam: there must be {} points or more, found {}", least_points, count));
-    Polygon polygon;
-    polygon.reserve(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k)
-        polygon.push_back(
-            in_plane(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact));
-    return polygon;
-}
 
 /// The largest distance of the outline from the polygon: from points between its corners, along their
 /// normals.
@@ -177,8 +160,11 @@ double sagitta(const ProfileShape& shape, int count) {
 /// Turns to the left; `deviation` grows to the largest distance from the contour.
 Polygon contour_polygon(const ProfileShape& shape, const DiskMeshOptions& options, double& deviation) {
     if (options.points) {
+        if (*options.points < least_points)
+            throw InputError(fmt::format("plane cam: there must be {} points or more, found {}", least_points,
+                                         *options.points));
         deviation = std::max(deviation, sagitta(shape, *options.points));
-        return to_the_left(even_polygon(shape, *options.points));
+        return to_the_left(contour_points(shape, *options.points));
     }
     // The arcs take a tenth of the tolerance, their chords the rest.
     deviation = std::max(deviation, options.chord_tolerance);
@@ -266,7 +252,28 @@ std::vector<PlateEdge> edges_of(const std::vector<ArcVertex>& vertices) {
     return edges;
 }
 
+/// `contour`: the line of a side of the cam; `joined`: of lines and arcs.
+template <class Contour, class Joined>
+auto plate_of(const ProfileShape& shape, const DrawingSpec& drawing, Contour contour, Joined joined) {
+    check_solid(shape, drawing);
+    PlateOf<std::decay_t<decltype(contour(shape))>> plate;
+    plate.thickness = thickness_of(drawing);
+    plate.outline = shape.other ? joined(rim_outline(shape)) : contour(shape);
+    if (shape.other) plate.groove = {contour(other_side(shape)), contour(shape), groove_depth_of(drawing)};
+    if (drawing.bore) plate.hole = joined(bore_outline(drawing, shape.formulas().rotation()));
+    return plate;
+}
+
 }  // namespace
+
+std::vector<Vector2d> contour_points(const ProfileShape& shape, int count) {
+    std::vector<Vector2d> points;
+    points.reserve(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k)
+        points.push_back(
+            in_plane(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact));
+    return points;
+}
 
 void check_closed(const ProfileShape& shape) {
     if (shape.closed) return;
@@ -285,45 +292,24 @@ double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing) {
 }
 
 DiskMesh disk_mesh(const ProfileShape& shape, const DrawingSpec& drawing, const DiskMeshOptions& options) {
-    check_solid(shape, drawing);
     if (!(options.chord_tolerance > 0.0))
         throw InputError(
             fmt::format("plane cam: the chord tolerance must be > 0 m, found {:g}", options.chord_tolerance));
     DiskMesh result;
-    Polygon hole;
-    const Polygon outline = contour_polygon(shape, options, result.deviation);
-    if (drawing.bore)
-        hole = polygon_within(bore_outline(drawing, shape.formulas().rotation()), options.chord_tolerance);
-    if (shape.other) {
-        const Polygon outer = contour_polygon(other_side(shape), options, result.deviation);
-        const Polygon rim = polygon_within(rim_outline(shape), options.chord_tolerance);
-        result.mesh =
-            grooved_mesh({rim, outer, outline, hole}, thickness_of(drawing), groove_depth_of(drawing));
-    } else {
-        result.mesh = plate_mesh(outline, hole, thickness_of(drawing));
-    }
+    const PlateOf<Polygon> plate = plate_of(
+        shape, drawing,
+        [&](const ProfileShape& side) { return contour_polygon(side, options, result.deviation); },
+        [&](const std::vector<ArcVertex>& arcs) { return polygon_within(arcs, options.chord_tolerance); });
+    result.mesh = PlateMesh(plate).mesh();
     result.volume = volume(result.mesh);
     result.exact = disk_volume(shape, drawing);
     return result;
 }
 
 Plate disk_plate(const ProfileShape& shape, const DrawingSpec& drawing, const std::string& name) {
-    check_solid(shape, drawing);
-    Plate plate;
-    plate.name = name;
-    plate.thickness = thickness_of(drawing);
-    plate.author = drawing.title_block.drawn_by;
-    plate.organisation = drawing.title_block.organisation;
-    if (!drawing.title_block.part.empty()) plate.name = drawing.title_block.part;
-    if (shape.other) {
-        plate.outline = edges_of(rim_outline(shape));
-        plate.groove =
-            PlateGroove{contour_edges(other_side(shape)), contour_edges(shape), groove_depth_of(drawing)};
-    } else {
-        plate.outline = contour_edges(shape);
-    }
-    if (drawing.bore) plate.hole = edges_of(bore_outline(drawing, shape.formulas().rotation()));
-    return plate;
+    const TitleBlock& title = drawing.title_block;
+    return {plate_of(shape, drawing, contour_edges, edges_of), title.part.empty() ? name : title.part,
+            title.drawn_by, title.organisation};
 }
 
 }  // namespace camopt

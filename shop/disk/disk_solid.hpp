@@ -36,6 +36,9 @@ struct DiskMesh {
 [[nodiscard]] Plate disk_plate(const ProfileShape& shape, const DrawingSpec& drawing,
                                const std::string& name);
 
+/// Of the cam, evenly by cam angle.
+[[nodiscard]] std::vector<Eigen::Vector2d> contour_points(const ProfileShape& shape, int count);
+
 /// Throws InputError for a cam that is open: why, and what would close it.
 void check_closed(const ProfileShape& shape);
 

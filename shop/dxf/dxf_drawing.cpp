@@ -216,29 +216,38 @@ std::string dxf_text(std::string_view words) {
     return text;
 }
 
-std::string dxf_of(const Drawing& drawing, std::span<const DxfStyle> styles) {
+std::vector<DxfLayer> layers_of(const Drawing& drawing, std::span<const DxfStyle> styles) {
     std::vector<DxfLayer> layers;
     for (const DxfStyle& style : styles)
         if (drawing.has(style.style) &&
             std::ranges::find(layers, style.layer, &DxfLayer::name) == layers.end())
             layers.push_back({style.layer, style.color, style.line});
-    DxfDrawing dxf(std::move(layers));
-    for (const DrawnElement& element : drawing.elements) {
-        const auto style = std::ranges::find(styles, style_of(element), &DxfStyle::style);
-        if (style == styles.end()) continue;
-        if (const auto* text = std::get_if<DrawnText>(&element)) dxf.text(style->layer, *text);
-        if (const auto* circle = std::get_if<DrawnCircle>(&element))
-            dxf.circle(style->layer, circle->center, circle->radius);
-        if (const auto* path = std::get_if<DrawnPath>(&element))
-            dxf.path(style->layer, path->vertices, path->closed);
-    }
+    return layers;
+}
+
+std::string dxf_of(const Drawing& drawing, std::span<const DxfStyle> styles) {
+    DxfDrawing dxf(layers_of(drawing, styles));
+    dxf.draw(drawing, styles);
     return dxf.finish();
 }
 
-void DxfDrawing::path(std::string_view layer, std::span<const ArcVertex> vertices, bool closed) {
-    if (vertices.size() == 2 && vertices.front().bulge == 0.0)
-        return line(layer, vertices.front().position, vertices.back().position);
-    polyline(layer, vertices, closed);
+void DxfDrawing::draw(const Drawing& drawing, std::span<const DxfStyle> styles) {
+    for (const DrawnElement& element : drawing.elements) {
+        const auto style = std::ranges::find(styles, style_of(element), &DxfStyle::style);
+        if (style == styles.end()) continue;
+        if (const auto* words = std::get_if<DrawnText>(&element)) text(style->layer, *words);
+        if (const auto* round = std::get_if<DrawnCircle>(&element))
+            circle(style->layer, round->center, round->radius);
+        const auto* path = std::get_if<DrawnPath>(&element);
+        if (path == nullptr) continue;
+        const std::vector<ArcVertex>& corners = path->vertices;
+        if (style->filled && corners.size() == 3)
+            triangle(style->layer, {corners[0].position, corners[1].position, corners[2].position});
+        else if (corners.size() == 2 && corners.front().bulge == 0.0)
+            line(style->layer, corners.front().position, corners.back().position);
+        else
+            polyline(style->layer, corners, path->closed);
+    }
 }
 
 void DxfDrawing::begin_entity(const char* type, std::string_view layer, const char* subclass) {

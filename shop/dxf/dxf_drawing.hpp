@@ -28,8 +28,11 @@ struct DxfStyle {
     const char* layer;
     int color = 7;
     DxfLine line = DxfLine::continuous;
+    bool filled = false;  ///< of triangles
 };
-/// The drawing's elements of these styles, in their order, and the layers that they use.
+/// That the drawing's elements use.
+[[nodiscard]] std::vector<DxfLayer> layers_of(const Drawing& drawing, std::span<const DxfStyle> styles);
+/// The drawing's elements of these styles, in their order.
 [[nodiscard]] std::string dxf_of(const Drawing& drawing, std::span<const DxfStyle> styles);
 
 /// A block of entities that stands apart from the model: the picture of a dimension.
@@ -43,15 +46,8 @@ class DxfDrawing {
  public:
     explicit DxfDrawing(std::vector<DxfLayer> layers) : layers_(std::move(layers)) {}
 
-    /// A LINE where it is one, else a polyline.
-    void path(std::string_view layer, std::span<const ArcVertex> vertices, bool closed);
-    /// A LWPOLYLINE: arcs by bulge. Closed: the last vertex's arc leads back to the first.
-    void polyline(std::string_view layer, std::span<const ArcVertex> vertices, bool closed);
-    void circle(std::string_view layer, const Eigen::Vector2d& center, double radius);
-    void line(std::string_view layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-    void text(std::string_view layer, const DrawnText& words);
-    /// Filled.
-    void triangle(std::string_view layer, const std::array<Eigen::Vector2d, 3>& corners);
+    /// Its elements of these styles, in their order.
+    void draw(const Drawing& drawing, std::span<const DxfStyle> styles);
     /// As CAD systems know it: they measure again what its points say; its place is in the drawing.
     /// `draw_marks` draws with this drawing what it looks like, its text too; that goes to its block.
     void dimension(std::string_view layer, const DrawnDimension& dimension, const Eigen::Vector2d& text,
@@ -62,6 +58,13 @@ class DxfDrawing {
     [[nodiscard]] std::string finish() const;
 
  private:
+    /// A LWPOLYLINE: arcs by bulge. Closed: the last vertex's arc leads back to the first.
+    void polyline(std::string_view layer, std::span<const ArcVertex> vertices, bool closed);
+    void circle(std::string_view layer, const Eigen::Vector2d& center, double radius);
+    void line(std::string_view layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+    void text(std::string_view layer, const DrawnText& words);
+    /// Filled.
+    void triangle(std::string_view layer, const std::array<Eigen::Vector2d, 3>& corners);
     void begin_entity(const char* type, std::string_view layer, const char* subclass);
     void point(int code, const Eigen::Vector2d& place);
     void widen(const Eigen::Vector2d& place, double reach = 0.0);

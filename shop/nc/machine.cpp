@@ -155,6 +155,10 @@ void CutterLocation::validate() const {
         0.5 * diameter + stock);
 }
 
+bool CutterLocation::makes_both_flanks() const {
+    return stock == 0.0 && diameter >= 2.0 * roller_radius * (1.0 - equal_diameters);
+}
+
 ToolPose cutter_pose(const RollerPose& roller, const CutterLocation& location) {
     const double radius = location.roller_radius;
     const Eigen::Vector3d near = roller.center + location.flank * radius * roller.normal;

@@ -45,6 +45,8 @@ struct CutterLocation {
     double tip_beyond = 0.0;     ///< m, >= 0: from the station to the tip
 
     void validate() const;  ///< throws InputError
+    /// The cutter is as large as the roller and leaves nothing: it makes both flanks at once.
+    [[nodiscard]] bool makes_both_flanks() const;
 };
 
 /// `roller` at the steered station.

@@ -2,10 +2,12 @@
 #include "shop/sheet/cam_sheet.hpp"
 
 #include "core/text/list_text.hpp"
+#include "report/drawing/plane_cam.hpp"
 #include "report/view/key_words.hpp"
 #include "scene/limit_table.hpp"
 #include "shop/dxf/cam_dxf.hpp"
-#include "shop/sheet/sheet_painter.hpp"
+#include "shop/sheet/dimension_marks.hpp"
+#include "shop/sheet/sheet_furniture.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +18,11 @@ namespace {
 using Eigen::Vector2d;
 using units::degree;
 
+/// A format of ISO 216, landscape.
+struct SheetFormat {
+    const char* name;
+    double width, height;
+};
 constexpr std::array<SheetFormat, 2> sheet_formats = {{{"A4", 0.297, 0.210}, {"A3", 0.420, 0.297}}};
 constexpr double outline_tolerance = 1e-6;  // m: of the arcs
 constexpr int table_step = 5;               // deg
@@ -28,6 +35,36 @@ constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.
                  center_overhang = 3e-3;
 constexpr double rotation_head = 3.0e-3, rotation_half_width = 0.8e-3, rotation_angle = 26 * degree;
 constexpr double datum_apart = 15 * degree, keyway_apart = 60 * degree;
+
+Vector2d unit_vector(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+
+double direction_angle(const Vector2d& direction) {
+    return std::atan2(direction.y(), direction.x());
+}
+
+/// Directions for words around the cam, each as far from all before as can be.
+class FreeDirections {
+ public:
+    void take(double angle) { taken_.push_back(angle); }
+    [[nodiscard]] double next() {
+        constexpr int steps = 24;
+        double best = 0.0, most = -1.0;
+        for (int k = 0; k < steps; ++k) {
+            const double angle = (k + 0.5) * units::turn / steps;
+            double nearest = units::turn;
+            for (const double other : taken_)
+                nearest = std::min(nearest, std::abs(std::remainder(angle - other, units::turn)));
+            if (nearest > most + 1e-9) most = nearest, best = angle;
+        }
+        take(best);
+        return best;
+    }
+
+ private:
+    std::vector<double> taken_;
+};
 
 class CamSheetMaker {
  public:
@@ -52,13 +89,11 @@ class CamSheetMaker {
                 if (shape.has_roller()) rim_.push_back(pitch);
             }
         if (disk_) {
-            box_.add(Vector2d::Constant(*disk_));
-            box_.add(Vector2d::Constant(-*disk_));
+            box_.add({0.0, 0.0}, *disk_);
             rim_.emplace_back(*disk_ * ray_at(cam_.rotation(), drawing.datum));
             farthest_ = other_side_farthest();
         }
-        box_.add(Vector2d::Constant(prime_));
-        box_.add(Vector2d::Constant(-prime_));
+        box_.add({0.0, 0.0}, prime_);
         datum_ = ray_at(cam_.rotation(), drawing.datum);
         cut_ = drawing.keyway ? ray_at(cam_.rotation(), drawing.keyway->at) : datum_;
     }
@@ -85,7 +120,7 @@ class CamSheetMaker {
     std::string piece_;
     std::optional<double> disk_;  ///< radius of the disk that a groove is cut into
     double base_ = 0.0, prime_ = 0.0;
-    ModelBox box_;
+    DrawingBox box_;
     Vector2d farthest_ = Vector2d::Zero(), datum_, cut_;
     std::vector<Vector2d> rim_;
     FreeDirections free_;
@@ -93,6 +128,7 @@ class CamSheetMaker {
     double section_left_ = 0.0;  ///< model
     Sheet sheet_;
 
+    [[nodiscard]] Drawing& draw() { return sheet_.drawing; }
     [[nodiscard]] Vector2d other_side_farthest() const {
         Vector2d farthest = Vector2d::Zero();
         for (const std::vector<MechanismPoint>& piece : profile_pieces(other_side(shape_), 1440))
@@ -106,7 +142,16 @@ class CamSheetMaker {
     [[nodiscard]] bool has_keyway_angle() const { return std::abs(keyway_from_datum()) > 1e-9; }
     [[nodiscard]] double thickness() const { return *drawing_.thickness; }
     /// m of the model in so much on the paper.
-    [[nodiscard]] double paper(double length) const { return length / sheet_.view.scale; }
+    [[nodiscard]] double paper(double length) const { return sheet_.paper(length); }
+    /// From the origin, which lies inside, along the ray to the rim of the box.
+    [[nodiscard]] double exit(const Vector2d& ray) const {
+        double reach = HUGE_VAL;
+        for (int i = 0; i < 2; ++i) {
+            const double side = ray(i) > 0.0 ? box_.most(i) : box_.least(i);
+            if (std::abs(ray(i)) > 1e-12) reach = std::min(reach, side / ray(i));
+        }
+        return reach;
+    }
 
     [[nodiscard]] SheetTable radius_table() const {
         SheetTable table;
@@ -131,7 +176,7 @@ class CamSheetMaker {
                 format.height - 2.0 * sheet_margin - title_block_height - 2.0 * block_distance};
     }
     void choose_format() {
-        const Vector2d size = box_.high - box_.low + Vector2d(thickness(), 0.0);
+        const Vector2d size = box_.size() + Vector2d(thickness(), 0.0);
         const Vector2d words(2.0 * beside_cam + before_section + after_section, 2.0 * above_cam);
         std::optional<StandardScale> chosen;
         table_ = radius_table();
@@ -144,58 +189,47 @@ class CamSheetMaker {
             sheet_.height = format.height;
             if (scale.value >= 1.0) break;
         }
-        sheet_.view.scale = chosen->value;
+        sheet_.scale = chosen->value;
         sheet_.scale_words = chosen->words;
         sheet_.lengths = solution_.scene.length_unit;
         sheet_.title = solution_.scene.title.empty() ? "Cam" : solution_.scene.title;
         if (!piece_.empty()) sheet_.title += ", " + piece_;
     }
     void place_views() {
-        const double scale = sheet_.view.scale;
+        const double scale = sheet_.scale;
         const Vector2d room = room_for_views({"", sheet_.width, sheet_.height}, table_);
-        const Vector2d cam = scale * (box_.high - box_.low);
+        const Vector2d cam = scale * box_.size();
         const double all = cam.x() + 2.0 * beside_cam + before_section + scale * thickness() + after_section;
         const double left = sheet_left_margin + block_distance + 0.5 * (room.x() - all) + beside_cam;
         const double bottom = sheet_margin + title_block_height + block_distance + 0.5 * (room.y() - cam.y());
-        sheet_.view.origin = Vector2d(left, bottom) - scale * box_.low;
-        section_left_ = box_.high.x() + paper(beside_cam + before_section);
+        sheet_.origin = Vector2d(left, bottom) - scale * box_.least;
+        section_left_ = box_.most.x() + paper(beside_cam + before_section);
     }
 
     void add_outline() {
-        const ArcChain outline = outline_chain(shape_, true, outline_tolerance);
-        sheet_.paths.push_back(
-            {disk_ ? "INNER_FLANK" : "CAM", SheetPen::thick, outline.vertices, outline.closed});
-        if (disk_) {
-            const ArcChain outer = outline_chain(other_side(shape_), true, outline_tolerance);
-            sheet_.paths.push_back({"OUTER_FLANK", SheetPen::thick, outer.vertices, outer.closed});
-            sheet_.circles.push_back({"CAM", SheetPen::thick, {0.0, 0.0}, *disk_});
-        }
-        sheet_.circles.push_back({"BASE_CIRCLE", SheetPen::chain, {0.0, 0.0}, base_});
-        if (shape_.has_roller()) {
-            const ArcChain pitch = outline_chain(shape_, false, outline_tolerance);
-            sheet_.paths.push_back({"PITCH", SheetPen::dashed, pitch.vertices, pitch.closed});
-            sheet_.circles.push_back({"PRIME_CIRCLE", SheetPen::chain, {0.0, 0.0}, prime_});
-        }
-        if (!shape_.closed)
-            sheet_.line("OPEN", SheetPen::dashed, in_plane(shape_.at(shape_.begin()).contact),
+        draw() = cam_outlines(shape_, [](const ProfileShape& side, bool of_cam) {
+            return outline_chain(side, of_cam, outline_tolerance).vertices;
+        });
+        if (!shape_.closed && !draw().has("open"))
+            draw().line("open", in_plane(shape_.at(shape_.begin()).contact),
                         in_plane(shape_.at(shape_.end()).contact));
         for (const Vector2d& axis : {Vector2d(1.0, 0.0), Vector2d(0.0, 1.0)})
-            sheet_.line("AXES", SheetPen::chain, -(box_.exit(-axis) + paper(center_overhang)) * axis,
-                        (box_.exit(axis) + paper(center_overhang)) * axis);
+            draw().line("axes", -(exit(-axis) + paper(center_overhang)) * axis,
+                        (exit(axis) + paper(center_overhang)) * axis);
     }
     void add_bore() {
         if (!drawing_.bore) return;
         if (!drawing_.keyway)
-            sheet_.circles.push_back({"BORE", SheetPen::thick, {0.0, 0.0}, 0.5 * *drawing_.bore});
+            draw().circle("bore", {0.0, 0.0}, 0.5 * *drawing_.bore);
         else
-            sheet_.paths.push_back({"BORE", SheetPen::thick, bore_outline(drawing_, cam_.rotation()), true});
+            draw().path("bore", bore_outline(drawing_, cam_.rotation()), true);
     }
     void add_datum() {
-        const double reach = box_.exit(datum_) + paper(datum_reach);
+        const double reach = exit(datum_) + paper(datum_reach);
         const double rim = disk_ ? *disk_ : radius_along(shape_, datum_, true).value_or(base_);
-        sheet_.line("DATUM", SheetPen::thin, drawing_.reach() * datum_, reach * datum_);
-        sheet_.line("DATUM", SheetPen::thick, (rim - paper(4e-3)) * datum_, rim * datum_);
-        add_word("DATUM", "datum, α = 0", reach, datum_);
+        draw().line("datum", drawing_.reach() * datum_, reach * datum_);
+        draw().line("datum-mark", (rim - paper(4e-3)) * datum_, rim * datum_);
+        add_datum_words("datum, α = 0", reach, datum_);
         if (!make_way(farthest_, datum_apart) && has_keyway_angle()) make_way(cut_, keyway_apart);
         free_.take(direction_angle(datum_));
         for (const double axis : {0.0, 90.0, 180.0, 270.0})
@@ -207,27 +241,26 @@ class CamSheetMaker {
     bool make_way(const Vector2d& other, double near) {
         const double apart = std::remainder(direction_angle(other) - direction_angle(datum_), units::turn);
         if (std::abs(apart) > near) return false;
-        DrawnText& word = sheet_.texts.back();
+        DrawnText& word = std::get<DrawnText>(draw().elements.back());
         const Vector2d left(-datum_.y(), datum_.x());
         const Vector2d away = apart < 0.0 ? left : Vector2d(-left);
         if (word.anchor == TextSide::middle) {
             word.anchor = away.x() > 0.0 ? TextSide::start : TextSide::end;
-            word.at.x() += (away.x() > 0.0 ? 1.0 : -1.0) * 1e-3;
+            word.at.x() += (away.x() > 0.0 ? 1.0 : -1.0) * paper(1e-3);
         } else {
-            word.at.y() += (away.y() > 0.0 ? 1.0 : -1.0) * 3.5e-3;
+            word.at.y() += (away.y() > 0.0 ? 1.0 : -1.0) * paper(3.5e-3);
         }
         return true;
     }
     /// At so much of the model along a ray, outside of its end.
-    void add_word(const char* layer, const std::string& words, double reach, const Vector2d& ray) {
-        const Vector2d at = sheet_.view.on_paper(reach * ray);
+    void add_datum_words(const std::string& words, double reach, const Vector2d& ray) {
         const TextSide anchor = ray.x() > 0.3    ? TextSide::start
                                 : ray.x() < -0.3 ? TextSide::end
                                                  : TextSide::middle;
         const double drop = ray.y() < 0.0 ? 2.5e-3 * -ray.y() : 0.0, lift = ray.y() > 0.3 ? 0.8e-3 : 0.0;
         const double aside = anchor == TextSide::middle ? 0.0 : (ray.x() > 0.0 ? 1.0 : -1.0) * 1.0e-3;
-        sheet_.texts.push_back(
-            {layer, at + Vector2d(aside, lift - drop - (lift > 0.0 ? 0.0 : 0.9e-3)), 2.5e-3, words, anchor});
+        const Vector2d beside(aside, lift - drop - (lift > 0.0 ? 0.0 : 0.9e-3));
+        draw().text({"datum-words", reach * ray + paper(1.0) * beside, paper(2.5e-3), words, anchor});
     }
 
     void hatch(const Vector2d& low, const Vector2d& high) {
@@ -237,8 +270,7 @@ class CamSheetMaker {
         for (int k = first; k * step < high.y() - low.x(); ++k) {
             const double c = k * step;
             const double from = std::max(low.x(), low.y() - c), to = std::min(high.x(), high.y() - c);
-            if (to - from > paper(0.3e-3))
-                sheet_.line("HATCH", SheetPen::thin, {from, from + c}, {to, to + c});
+            if (to - from > paper(0.3e-3)) draw().line("hatch", {from, from + c}, {to, to + c});
         }
     }
     /// The section stands on the right: first angle shows it from the left, third angle from the right.
@@ -259,14 +291,14 @@ class CamSheetMaker {
         part(inner, outer, floor);
         part(outer, rim, face);
         for (const double flank : {inner, outer})
-            sheet_.line("SECTION", SheetPen::thick, {floor, sense * flank}, {face, sense * flank});
-        sheet_.line("SECTION", SheetPen::thick, {floor, sense * inner}, {floor, sense * outer});
+            draw().line("section", {floor, sense * flank}, {face, sense * flank});
+        draw().line("section", {floor, sense * inner}, {floor, sense * outer});
         if (sense > 0.0) return;
         DrawnDimension depth;
         depth.direction = 0.0;
         depth.first = {std::min(floor, face), -rim};
         depth.second = {std::max(floor, face), -rim};
-        depth.place = sheet_.view.on_paper({floor, -rim}) - Vector2d(0.0, thickness_line);
+        depth.place = {floor, -rim - paper(thickness_line)};
         sheet_.dimensions.push_back(depth);
     }
     /// Through the middle of the keyway, or through the datum.
@@ -275,7 +307,7 @@ class CamSheetMaker {
             return disk_ ? *disk_ : radius_along(shape_, ray, true).value_or(base_);
         };
         const double up = reach(cut_), down = reach(-cut_), left = section_left_, right = left + thickness();
-        sheet_.rectangle("SECTION", SheetPen::thick, {left, -down}, {right, up});
+        draw().rectangle("section", {left, -down}, {right, up});
         const double radius = 0.5 * drawing_.bore.value_or(0.0);
         const double top = drawing_.keyway ? radius + drawing_.keyway->depth : radius;
         if (disk_) {
@@ -285,27 +317,26 @@ class CamSheetMaker {
             hatch({left, top}, {right, up});
             hatch({left, -down}, {right, -radius});
         }
-        sheet_.line("AXES", SheetPen::chain, {left - paper(center_overhang), 0.0},
-                    {right + paper(center_overhang), 0.0});
+        draw().line("axes", {left - paper(center_overhang), 0.0}, {right + paper(center_overhang), 0.0});
         DrawnDimension dimension;
         dimension.direction = 0.0;
         dimension.first = {left, up};
         dimension.second = {right, up};
-        dimension.place = sheet_.view.on_paper({left, up}) + Vector2d(0.0, thickness_line);
+        dimension.place = {left, up + paper(thickness_line)};
         sheet_.dimensions.push_back(dimension);
         if (!drawing_.bore) return;
-        sheet_.line("SECTION", SheetPen::thick, {left, -radius}, {right, -radius});
-        sheet_.line("SECTION", SheetPen::thick, {left, top}, {right, top});
+        draw().line("section", {left, -radius}, {right, -radius});
+        draw().line("section", {left, top}, {right, top});
         if (drawing_.keyway) {
             const double edge = std::sqrt(radius * radius - std::pow(0.5 * drawing_.keyway->width, 2));
-            sheet_.line("SECTION", SheetPen::thick, {left, edge}, {right, edge});
+            draw().line("section", {left, edge}, {right, edge});
         }
         const auto height = [&](double from, double to, double distance, bool across) {
             DrawnDimension upright;
             upright.direction = 90 * degree;
             upright.first = {right, from};
             upright.second = {right, to};
-            upright.place = sheet_.view.on_paper({right, 0.0}) + Vector2d(distance, 0.0);
+            upright.place = {right + paper(distance), 0.0};
             upright.across = across;
             if (across) upright.tolerance = drawing_.title_block.bore_fit;
             sheet_.dimensions.push_back(upright);
@@ -318,8 +349,7 @@ class CamSheetMaker {
         DrawnDimension dimension;
         dimension.kind = kind;
         dimension.second = radius * unit_vector(angle);
-        dimension.place =
-            sheet_.view.on_paper((box_.exit(unit_vector(angle)) + paper(leader_reach)) * unit_vector(angle));
+        dimension.place = (exit(unit_vector(angle)) + paper(leader_reach)) * unit_vector(angle);
         sheet_.dimensions.push_back(dimension);
     }
     void add_dimensions() {
@@ -340,7 +370,7 @@ class CamSheetMaker {
         width.direction = way + 90 * degree;
         width.first = floor * cut_ - 0.5 * keyway.width * left;
         width.second = floor * cut_ + 0.5 * keyway.width * left;
-        width.place = sheet_.view.on_paper(floor * cut_) + keyway_line * cut_;
+        width.place = (floor + paper(keyway_line)) * cut_;
         width.tolerance = drawing_.title_block.keyway_tolerance;
         sheet_.dimensions.push_back(width);
         if (!has_keyway_angle()) return;
@@ -349,12 +379,12 @@ class CamSheetMaker {
         angle.direction = direction_angle(datum_);
         angle.sweep = keyway_from_datum();
         const double reach = std::max(0.5 * (drawing_.reach() + base_), drawing_.reach() + paper(11e-3));
-        angle.place = sheet_.view.on_paper(reach * datum_);
+        angle.place = reach * datum_;
         sheet_.dimensions.push_back(angle);
         separate_dimensions(sheet_);
         const double behind_words = floor + paper(keyway_line + 3.5e-3),
-                     end = sheet_.view.in_model(sheet_.dimensions.back().place).norm() + paper(2e-3);
-        sheet_.line("AXES", SheetPen::chain, behind_words * cut_, end * cut_);
+                     end = sheet_.dimensions.back().place.norm() + paper(2e-3);
+        draw().line("axes", behind_words * cut_, end * cut_);
         free_.take(way);
     }
 
@@ -367,18 +397,14 @@ class CamSheetMaker {
                 radius = std::max(radius, point.norm());
         radius = std::max({radius, prime_, disk_.value_or(0.0)}) + paper(rotation_distance);
         const double half = 0.5 * rotation_angle, tip = middle + sense * half;
-        sheet_.arc("ROTATION", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, radius}, middle - half,
-                   middle + half);
+        draw().arc("rotation", {0.0, 0.0}, radius, middle - half, middle + half);
         const Vector2d out = unit_vector(tip), ahead = sense * Vector2d(-out.y(), out.x());
         const Vector2d end = radius * out;
-        sheet_.paths.push_back({"ROTATION",
-                                SheetPen::thin,
-                                {{end + paper(rotation_head) * ahead, 0.0},
-                                 {end + paper(rotation_half_width) * out, 0.0},
-                                 {end - paper(rotation_half_width) * out, 0.0}},
-                                true,
-                                SheetSpace::model,
-                                true});
+        draw().polyline("rotation-head",
+                        std::array<Vector2d, 3>{end + paper(rotation_head) * ahead,
+                                                end + paper(rotation_half_width) * out,
+                                                end - paper(rotation_half_width) * out},
+                        true);
     }
 
     [[nodiscard]] std::string length_text(double metres) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shop/sheet/sheet.hpp"
 
-#include "core/text/printable.hpp"
 #include "report/view/shown_units.hpp"
 
 #include <fmt/format.h>
@@ -10,41 +9,10 @@ namespace camopt {
 
 using Eigen::Vector2d;
 
-std::string words_of(const DrawnDimension& dimension) {
-    using Kind = DrawnDimension::Kind;
-    if (dimension.kind == Kind::angle) return svg_number(degrees_shown.of(dimension.measured()), 2) + "°";
-    const bool diameter =
-        dimension.kind == Kind::diameter || (dimension.across && dimension.kind == Kind::linear);
-    return (diameter                         ? "⌀"
-            : dimension.kind == Kind::radius ? "R"
-                                             : "") +
-           drawn_length(dimension.measured(), dimension.lengths) +
-           (dimension.tolerance.empty() ? "" : " " + printable(dimension.tolerance));
-}
-
-void Sheet::line(const std::string& layer, SheetPen pen, const Vector2d& from, const Vector2d& to,
-                 SheetSpace space) {
-    paths.push_back({layer, pen, {{from, 0.0}, {to, 0.0}}, false, space, false});
-}
-
-void Sheet::rectangle(const std::string& layer, SheetPen pen, const Vector2d& low, const Vector2d& high,
-                      SheetSpace space) {
-    const std::vector<ArcVertex> corners = {
-        {low, 0.0}, {{high.x(), low.y()}, 0.0}, {high, 0.0}, {{low.x(), high.y()}, 0.0}};
-    paths.push_back({layer, pen, corners, true, space, false});
-}
-
-void Sheet::arc(const std::string& layer, SheetPen pen, const SheetCircle& circle, double from, double to) {
-    const auto at = [&](double angle) -> Vector2d {
-        return circle.center + circle.radius * Vector2d(std::cos(angle), std::sin(angle));
-    };
-    const double half = 0.5 * (to - from), bulge = std::tan(0.25 * half);  // two arcs: a bulge ends at 360°
-    paths.push_back({layer,
-                     pen,
-                     {{at(from), bulge}, {at(from + half), bulge}, {at(to), 0.0}},
-                     false,
-                     circle.space,
-                     false});
+void Sheet::add_on_paper(Drawing drawn) {
+    drawn.move(-origin);
+    drawn.scale(1.0 / scale);
+    drawing.add(drawn);
 }
 
 double widest_text(std::string_view words, double height) {

@@ -10,18 +10,11 @@ namespace camopt {
 
 namespace {
 
-constexpr double equal_diameters = 1e-9;  // of the roller's
 constexpr int checked_heights = 5;
 constexpr int checked_angles = 360;
 // Where the cutter has only begun, or has stopped, a flank is not finished: the roller's round end.
 constexpr double end_share = 0.01;  // of the motion, left out at either end of an open path
 constexpr double checked_step = 2.0 * units::degree, extension_step = 0.5 * units::degree;  // indexing cams
-
-std::vector<int> flanks_cut(const CamFlanks& cam, const NcExportOptions& options, double diameter) {
-    const double roller = 2.0 * cam.roller_radius;
-    const bool equal = options.stock == 0.0 && diameter >= roller * (1.0 - equal_diameters);
-    return equal ? std::vector{1} : std::vector{1, -1};
-}
 
 /// A point of the wanted surface, and the cam angle at which the roller leaves it.
 struct LeftPoint {
@@ -203,21 +196,8 @@ NcWork nc_work(const CamFlanks& cam, const FollowerMotion& motion, const NcExpor
     }
 
     CuttingTask& task = work.task;
-    const RollerPath roller = groove.roller();
-    const FollowerMotion& way = groove.way();
-    MillingPasses milled =
-        groove_passes({roller, way.breakpoints, location, flanks_cut(cam, options, location.diameter),
-                       job.blank, options.milling});
-    task.passes = std::move(milled.passes);
-    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
-    task.knots = way.breakpoints;
-    task.blocks = {options.blocks, options.chord_tolerance, working_length};
-    task.cutter = {location.diameter, groove.greatest_depth() + location.diameter};
-    GroovedBody body{roller, way.begin(), way.end(), location.roller_radius, working_length, job.blank};
-    body.poses = std::max(body.poses, static_cast<int>(body.poses * (way.end() - way.begin()) / units::turn));
-    body.enough = 0.5 * (options.gouge_tolerance + options.chord_tolerance);
-    task.finished = grooved_finished_cam(body);
-    task.gouge_tolerance = options.gouge_tolerance;
+    add_groove(work, {groove.roller(), groove.way().breakpoints, location, groove.greatest_depth()}, options);
+    task.blocks.count = options.blocks;
     const auto add_surface = [&](const std::string& name, const std::vector<LeftPoint>& points) {
         WantedSurface& surface = task.surfaces.emplace_back();
         surface.name = name;

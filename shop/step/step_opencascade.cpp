@@ -224,19 +224,11 @@ class PlateShape {
         const int count = static_cast<int>(from.poles.size());
         TColgp_Array1OfPnt poles(1, count);
         for (int i = 0; i < count; ++i) poles.SetValue(i + 1, place(from.poles[static_cast<std::size_t>(i)]));
-        std::vector<double> values;
-        std::vector<int> counts;
-        for (const double knot : from.knots) {
-            if (values.empty() || knot != values.back()) {
-                values.push_back(knot);
-                counts.push_back(0);
-            }
-            ++counts.back();
-        }
-        const int last = static_cast<int>(values.size());
+        const KnotList knots(from.knots);
+        const int last = static_cast<int>(knots.value.size());
         const int degree = static_cast<int>(from.knots.size()) - count - 1;
-        return new Geom_BSplineCurve(poles, TColStd_Array1OfReal(values.front(), 1, last),
-                                     TColStd_Array1OfInteger(counts.front(), 1, last), degree);
+        return new Geom_BSplineCurve(poles, TColStd_Array1OfReal(knots.value.front(), 1, last),
+                                     TColStd_Array1OfInteger(knots.multiplicity.front(), 1, last), degree);
     }
     [[nodiscard]] TopoDS_Wire wire(const std::vector<PlateEdge>& edges) const {
         BRepBuilderAPI_MakeWire maker;

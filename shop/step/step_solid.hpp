@@ -20,18 +20,23 @@ struct PlateEdge {
     std::vector<Eigen::Vector2d> poles = {};  ///< the first is `from`, the last `to`
 };
 
-/// A closed channel in the upper face, z = −depth to 0, between two lines that lie inside the plate.
-struct PlateGroove {
-    std::vector<PlateEdge> outer, inner;
-    double depth = 0.0;  ///< m, in (0, thickness)
+/// The boundary of a plate between z = −thickness and z = 0: plane faces and upright walls between closed
+/// lines, which are exact edges (STEP) or polygons (STL).
+template <class Line>
+struct PlateOf {
+    /// A closed channel in the upper face, z = −depth to 0, between two lines that lie inside the plate.
+    struct Groove {
+        Line outer, inner;
+        double depth = 0.0;  ///< m, in (0, thickness)
+    };
+    double thickness = 20e-3;
+    Line outline, hole;  ///< the hole may be empty
+    std::optional<Groove> groove = {};
 };
 
-/// Between z = −thickness and z = 0. Every edge begins where the one before it ends.
-struct Plate {
+/// Every edge begins where the one before it ends.
+struct Plate : PlateOf<std::vector<PlateEdge>> {
     std::string name, author = {}, organisation = {};  ///< in the header of the file
-    double thickness = 20e-3;
-    std::vector<PlateEdge> outline, hole;  ///< the hole may be empty
-    std::optional<PlateGroove> groove = {};
 };
 
 /// The file is there whole or not at all. Returns the volume that Open CASCADE finds, m³. Throws

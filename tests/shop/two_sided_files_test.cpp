@@ -7,6 +7,7 @@
 #include "shop/disk/disk_solid.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
+#include "shop/sheet/dimension_marks.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
@@ -113,6 +114,20 @@ TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
             EXPECT_EQ(piece.formulas().stations(), 1);
         }
     }
+}
+
+// What has no style is not drawn.
+TEST_F(TwoSidedFiles, SheetElementsHaveStyles) {
+    CamSheetOptions options;
+    options.bore = 10e-3;
+    for (const Solution* const solution : {&grooved(), &conjugate()})
+        for (const Sheet& sheet : cam_sheets(*solution, options)) {
+            EXPECT_FALSE(sheet.dimensions.empty());
+            for (const DrawnElement& element : drawing_with_marks(sheet).elements)
+                EXPECT_NE(std::ranges::find(sheet_styles, style_of(element), &SheetStyle::name),
+                          sheet_styles.end())
+                    << style_of(element);
+        }
 }
 
 TEST_F(TwoSidedFiles, FittingCuttersMillTheGroove) {

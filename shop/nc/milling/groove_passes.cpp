@@ -19,10 +19,15 @@ constexpr int most_ramp_ways = 40, lead_blocks = 24, height_samples = 360;
 constexpr double most_lead_share = 0.1;  // of the groove
 constexpr double over_cut_layer = 2e-4;  // m: the ramp begins so far above the layer cut before
 
+struct GrooveTask : GrooveMilling {
+    MillingChoice choice;
+    Blank blank;
+};
+
 /// The groove as the tool runs along it; `stock` is measured from the flank that is cut.
 class Groove {
  public:
-    Groove(const GrooveMilling& milling, int flank, bool forward)
+    Groove(const GrooveTask& milling, int flank, bool forward)
         : milling_(milling), flank_(flank), sense_(forward ? 1.0 : -1.0) {
         const double begin = milling.knots.front(), end = milling.knots.back();
         const RollerPose first = milling.roller(begin, 0.0), last = milling.roller(end, 0.0);
@@ -67,7 +72,7 @@ class Groove {
     }
 
  private:
-    GrooveMilling milling_;  // of its own: paths outlive the maker
+    GrooveTask milling_;  // of its own: paths outlive the maker
     int flank_;
     double sense_;
     bool closed_ = false;
@@ -76,7 +81,7 @@ class Groove {
 
 /// Does the tool climb on this flank when the cam angle grows? In the middle of the motion
 /// (cutter_compensation.hpp).
-bool climbs_forward(const GrooveMilling& milling, int flank) {
+bool climbs_forward(const GrooveTask& milling, int flank) {
     const double theta = 0.5 * (milling.knots.front() + milling.knots.back());
     const auto at = [&](double angle) { return milling.roller(angle, milling.location.station); };
     const Eigen::Vector3d way = at(theta + small_angle).center - at(theta - small_angle).center;
@@ -86,15 +91,15 @@ bool climbs_forward(const GrooveMilling& milling, int flank) {
 }
 
 /// What the cutter leaves on either side in the middle of the groove.
-double most_allowance(const GrooveMilling& milling) {
+double most_allowance(const GrooveTask& milling) {
     return std::max(milling.location.roller_radius - 0.5 * milling.location.diameter - milling.location.stock,
                     0.0);
 }
 
 class GroovePassMaker {
  public:
-    explicit GroovePassMaker(const GrooveMilling& milling) : milling_(milling) {
-        for (const int flank : milling.flanks) {
+    explicit GroovePassMaker(const GrooveTask& milling) : milling_(milling) {
+        for (const int flank : is_slot() ? std::vector{1} : std::vector{1, -1}) {
             const bool forward = is_slot() || climbs_forward(milling, flank) == milling.choice.climbs();
             grooves_.emplace_back(milling, flank, forward);
         }
@@ -114,7 +119,7 @@ class GroovePassMaker {
     }
 
  private:
-    [[nodiscard]] bool is_slot() const { return milling_.flanks.size() == 1; }
+    [[nodiscard]] bool is_slot() const { return milling_.location.makes_both_flanks(); }
 
     [[nodiscard]] double greatest_height() const {
         const Groove& groove = grooves_.front();
@@ -251,17 +256,17 @@ class GroovePassMaker {
         return poses;
     }
 
-    const GrooveMilling& milling_;
+    const GrooveTask& milling_;
     std::vector<Groove> grooves_;
 };
 
-void check_groove(const GrooveMilling& milling) {
+void check_groove(const GrooveTask& milling) {
     const MillingChoice& choice = milling.choice;
     choice.validate(milling.location.diameter);
     if (choice.compensation != CompensationWords::none)
         throw InputError(
             "milling: cutter compensation by the control is for plane cams; of a drum allowed: none");
-    if (milling.flanks.size() == 1 && choice.direction)
+    if (milling.location.makes_both_flanks() && choice.direction)
         throw InputError(
             "milling: the cutter is as large as the roller and cuts both flanks at once, one climb, one "
             "conventional; a direction is for a smaller cutter");
@@ -280,10 +285,22 @@ void check_groove(const GrooveMilling& milling) {
 
 }  // namespace
 
-MillingPasses groove_passes(const GrooveMilling& milling) {
-    milling.location.validate();
-    check_groove(milling);
-    return GroovePassMaker(milling).made();
+void add_groove(NcWork& work, const GrooveMilling& milling, const MillingOptions& options) {
+    const CutterLocation& location = milling.location;
+    const GrooveTask groove{milling, options.milling, work.job.blank};
+    location.validate();
+    check_groove(groove);
+    take_passes(work, GroovePassMaker(groove).made());
+    CuttingTask& task = work.task;
+    task.knots = milling.knots;
+    task.blocks = {{}, options.chord_tolerance, location.station + location.tip_beyond};
+    task.cutter = {location.diameter, milling.depth + location.diameter};
+    task.gouge_tolerance = options.gouge_tolerance;
+    GroovedBody body{milling.roller,         milling.knots.front(),      milling.knots.back(),
+                     location.roller_radius, task.blocks.working_length, work.job.blank};
+    body.poses = std::max(body.poses, static_cast<int>(body.poses * (body.end - body.begin) / units::turn));
+    body.enough = 0.5 * (options.gouge_tolerance + options.chord_tolerance);
+    task.finished = grooved_finished_cam(body);
 }
 
 }  // namespace camopt

@@ -18,14 +18,13 @@ namespace camopt {
 struct GrooveMilling {
     RollerPath roller;
     std::vector<double> knots;  ///< as in block_angles: the whole groove
-    CutterLocation location;    ///< of the finishing passes; its flank is not read
-    std::vector<int> flanks;    ///< one: both at once
-    Blank blank;
-    MillingChoice choice;
+    CutterLocation location;    ///< of the finishing passes; its flank is not read. The tip: the floor
+    double depth = 0.0;         ///< m: the greatest, along the cutter
 };
 
-/// Throws InputError for numbers that are not valid, a direction where both flanks are cut at once, an
-/// allowance that the cutter is too large for, and for compensation, which is for plane cams.
-[[nodiscard]] MillingPasses groove_passes(const GrooveMilling& milling);
+/// The passes of a job that has its blank, and all of the task but the surfaces. Throws InputError for
+/// numbers that are not valid, a direction where both flanks are cut at once, an allowance that the cutter is
+/// too large for, and for compensation, which is for plane cams.
+void add_groove(NcWork& work, const GrooveMilling& milling, const MillingOptions& options);
 
 }  // namespace camopt

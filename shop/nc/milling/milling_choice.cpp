@@ -62,6 +62,11 @@ NcJob milling_job(const MillingOptions& options, const Blank& blank, double diam
     return job;
 }
 
+void take_passes(NcWork& work, MillingPasses milled) {
+    work.task.passes = std::move(milled.passes);
+    std::ranges::move(milled.remarks, std::back_inserter(work.job.remarks));
+}
+
 int MillingChoice::layers(double depth, double cutter_diameter) const {
     const double most = step_down.value_or(0.5 * cutter_diameter);
     return std::max(1, static_cast<int>(std::ceil(depth / most - 1e-9)));

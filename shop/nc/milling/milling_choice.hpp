@@ -75,6 +75,9 @@ struct MillingPasses {
     std::vector<std::string> remarks;  ///< for the program's header
 };
 
+/// The passes and their remarks, behind those of the job.
+void take_passes(NcWork& work, MillingPasses milled);
+
 /// For the program's header, one line; m.
 struct Roughing {
     int layers = 1, roughed = 1;  ///< a finishing pass that cuts a slot is the last layer

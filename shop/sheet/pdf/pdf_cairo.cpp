@@ -20,8 +20,7 @@ using Eigen::Vector2d;
 constexpr double points_a_metre = 72.0 / units::inch, points_a_mm = 72.0 / (units::inch / units::millimetre);
 // cairo counts in mm here: it takes gaps of a dash pattern below 1/512 of its unit for none.
 constexpr double mm_a_metre = 1.0 / units::millimetre;
-constexpr double capital_height = 0.729;  // of the font's size
-constexpr double halo = 0.8;              // mm: the white rim of words
+constexpr double halo = mm_a_metre * words_halo;
 constexpr const char* font = "DejaVu Sans";
 
 struct CloseSurface {
@@ -41,10 +40,10 @@ cairo_status_t append_bytes(void* target, const unsigned char* data, unsigned in
     return CAIRO_STATUS_SUCCESS;
 }
 
-class PdfSheet final : public PdfPainter {
+class PdfSheet {
  public:
     explicit PdfSheet(const Sheet& sheet)
-        : height_(sheet.height),
+        : place_(sheet.place(mm_a_metre)),
           surface_(cairo_pdf_surface_create_for_stream(append_bytes, &bytes_, points_a_metre * sheet.width,
                                                        points_a_metre * sheet.height)) {
         cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE, sheet.title.c_str());
@@ -59,50 +58,42 @@ class PdfSheet final : public PdfPainter {
     PdfSheet(const PdfSheet&) = delete;
     PdfSheet& operator=(const PdfSheet&) = delete;
 
-    void path(const SheetPath& path) override {
+    void draw(const DrawnPath& path, SheetPen pen) const {
         const std::size_t count = path.vertices.size();
         cairo_new_path(context_.get());
-        move_to(path.vertices.front().position);
-        for (std::size_t i = 0; i + (path.closed ? 0 : 1) < count; ++i) {
-            const ArcVertex &from = path.vertices[i], &to = path.vertices[(i + 1) % count];
-            step(from, to.position);
-        }
+        const Vector2d begin = place_(path.vertices.front().position);
+        cairo_move_to(context_.get(), begin.x(), begin.y());
+        for (std::size_t i = 0; i + (path.closed ? 0 : 1) < count; ++i)
+            step(path.vertices[i], path.vertices[(i + 1) % count].position);
         if (path.closed) cairo_close_path(context_.get());
-        black();
-        if (path.filled)
-            cairo_fill(context_.get());
-        else
-            stroke(path.pen);
+        stroke(pen);
     }
-    void circle(const SheetCircle& circle) override {
+    void draw(const DrawnCircle& circle, SheetPen pen) const {
+        const Vector2d center = place_(circle.center);
         cairo_new_path(context_.get());
-        cairo_arc(context_.get(), x_of(circle.center), y_of(circle.center), mm_a_metre * circle.radius, 0.0,
-                  2.0 * M_PI);
-        black();
-        stroke(circle.pen);
+        cairo_arc(context_.get(), center.x(), center.y(), place_.scale.x() * circle.radius, 0.0, 2.0 * M_PI);
+        stroke(pen);
     }
-    void text(const DrawnText& text) override {
+    void draw(const DrawnText& text, SheetPen /*pen*/) const {
         cairo_t* const at = context_.get();
+        const Vector2d anchor = place_(text.at);
         cairo_save(at);
-        cairo_translate(at, x_of(text.at), y_of(text.at));
+        cairo_translate(at, anchor.x(), anchor.y());
         cairo_rotate(at, -text.turn);
-        cairo_set_font_size(at, mm_a_metre * text.height / capital_height);
+        cairo_set_font_size(at, place_.scale.x() * text.height / capital_height);
         cairo_text_extents_t size;
         cairo_text_extents(at, text.words.c_str(), &size);
-        const double part = text.anchor == TextSide::start    ? 0.0
-                            : text.anchor == TextSide::middle ? 0.5
-                                                              : 1.0;
-        const double left = -part * size.x_advance;
+        const double left = -share_before(text.anchor) * size.x_advance;
         cairo_set_source_rgb(at, 1.0, 1.0, 1.0);
         cairo_rectangle(at, left + size.x_bearing - 0.5 * halo, size.y_bearing - 0.5 * halo,
                         size.width + halo, size.height + halo);
         cairo_fill(at);
-        black();
+        cairo_set_source_rgb(at, 0.0, 0.0, 0.0);
         cairo_move_to(at, left, 0.0);
         cairo_show_text(at, text.words.c_str());
         cairo_restore(at);
     }
-    [[nodiscard]] std::string finish() override {
+    [[nodiscard]] std::string finish() const {
         const cairo_status_t drawn = cairo_status(context_.get());
         cairo_surface_finish(surface_.get());
         const cairo_status_t status =
@@ -113,12 +104,9 @@ class PdfSheet final : public PdfPainter {
     }
 
  private:
-    void black() const { cairo_set_source_rgb(context_.get(), 0.0, 0.0, 0.0); }
-    [[nodiscard]] double x_of(const Vector2d& point) const { return mm_a_metre * point.x(); }
-    [[nodiscard]] double y_of(const Vector2d& point) const { return mm_a_metre * (height_ - point.y()); }
-    void move_to(const Vector2d& point) const { cairo_move_to(context_.get(), x_of(point), y_of(point)); }
-    void line_to(const Vector2d& point) const { cairo_line_to(context_.get(), x_of(point), y_of(point)); }
     void stroke(SheetPen pen) const {
+        cairo_set_source_rgb(context_.get(), 0.0, 0.0, 0.0);
+        if (pen == SheetPen::filled) return cairo_fill(context_.get());
         const PenLook look = look_of(pen);
         std::vector<double> dashes;
         for (const double length : look.dashes) dashes.push_back(mm_a_metre * length);
@@ -128,22 +116,36 @@ class PdfSheet final : public PdfPainter {
     }
     void step(const ArcVertex& from, const Vector2d& to) const {
         constexpr double nearly_straight = 1e3;  // m
-        if (from.bulge == 0.0) return line_to(to);
+        const auto straight = [&] {
+            const Vector2d end = place_(to);
+            cairo_line_to(context_.get(), end.x(), end.y());
+        };
+        if (from.bulge == 0.0) return straight();
         const BulgeArc arc = bulge_arc(from.position, to, from.bulge);
-        if (!(arc.radius < nearly_straight)) return line_to(to);
+        if (!(arc.radius < nearly_straight)) return straight();
         // y points down here: what turns to the left runs against cairo's sense.
-        const auto draw = from.bulge > 0.0 ? cairo_arc_negative : cairo_arc;
-        draw(context_.get(), x_of(arc.center), y_of(arc.center), mm_a_metre * arc.radius, -arc.from, -arc.to);
+        const auto turn = from.bulge > 0.0 ? cairo_arc_negative : cairo_arc;
+        const Vector2d center = place_(arc.center);
+        turn(context_.get(), center.x(), center.y(), place_.scale.x() * arc.radius, -arc.from, -arc.to);
     }
 
     std::string bytes_;
-    double height_;
+    PicturePlace place_;
     std::unique_ptr<cairo_surface_t, CloseSurface> surface_;
     std::unique_ptr<cairo_t, CloseContext> context_;
 };
 
-constexpr PdfPart pdf_table = {
-    [](const Sheet& sheet) -> std::unique_ptr<PdfPainter> { return std::make_unique<PdfSheet>(sheet); }};
+constexpr PdfPart pdf_table = {[](const Sheet& sheet, const Drawing& drawing) {
+    const PdfSheet pdf(sheet);
+    for (const SheetStyle& style : sheet_styles)
+        for (const DrawnElement& element : drawing.elements)
+            std::visit(
+                [&](const auto& drawn) {
+                    if (drawn.style == style.name) pdf.draw(drawn, style.pen);
+                },
+                element);
+    return pdf.finish();
+}};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/platform/parts.hpp"
+#include "shop/sheet/dimension_marks.hpp"
 #include "shop/sheet/pdf/pdf_part.hpp"
 #include "shop/sheet/sheet_files.hpp"
 
@@ -38,9 +39,7 @@ void require_pdf() {
 }
 
 std::string sheet_pdf(const Sheet& sheet) {
-    const std::unique_ptr<PdfPainter> painter = pdf_part().page(sheet);
-    paint(sheet, *painter);
-    return painter->finish();
+    return pdf_part().page(sheet, drawing_with_marks(sheet));
 }
 
 }  // namespace camopt

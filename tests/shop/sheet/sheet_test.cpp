@@ -5,8 +5,9 @@
 
 #include "core/errors.hpp"
 #include "shop/dxf/dxf_drawing.hpp"
+#include "shop/sheet/dimension_marks.hpp"
 #include "shop/sheet/sheet_files.hpp"
-#include "shop/sheet/sheet_painter.hpp"
+#include "shop/sheet/sheet_furniture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,19 @@ namespace sheet_test {
 using Eigen::Vector2d;
 
 constexpr double pi = std::numbers::pi;
+
+template <class Element>
+std::vector<Element> all(const Drawing& drawing) {
+    std::vector<Element> found;
+    for (const DrawnElement& element : drawing.elements)
+        if (const auto* one = std::get_if<Element>(&element)) found.push_back(*one);
+    return found;
+}
+
+bool has_words(const Sheet& sheet, std::string_view words) {
+    return std::ranges::any_of(all<DrawnText>(sheet.drawing),
+                               [&](const DrawnText& text) { return text.words == words; });
+}
 
 TEST(Sheet, TakesTheLargestStandardScaleThatFits) {
     const Vector2d room(0.1, 0.1);
@@ -67,8 +81,7 @@ TEST(Sheet, SaysItsLengthsInInchesWhereAsked) {
     sheet.format = "A4";
     sheet.lengths = LengthUnit::inch;
     add_frame(sheet, {});
-    EXPECT_TRUE(
-        std::ranges::any_of(sheet.texts, [](const DrawnText& text) { return text.words == "A4, in"; }));
+    EXPECT_TRUE(has_words(sheet, "A4, in"));
 }
 
 TEST(Sheet, TitleBlockWordsFitTheirCells) {
@@ -86,11 +99,9 @@ TEST(Sheet, TitleBlockWordsFitTheirCells) {
     add_frame(sheet, title, "1.25 kg");
     for (const char* const words : {"4711-0815", "C", "2026-11-26", "Cam Works", "Ra 0.8", "0.02", "1.25 kg",
                                     "1:2", "projection", "mass", "profile tolerance"})
-        EXPECT_TRUE(std::ranges::any_of(sheet.texts, [&](const DrawnText& text) {
-            return text.words == words;
-        })) << words;
+        EXPECT_TRUE(has_words(sheet, words)) << words;
     const double left = sheet.width - sheet_margin - title_block_width;
-    for (const DrawnText& text : sheet.texts) {
+    for (const DrawnText& text : all<DrawnText>(sheet.drawing)) {
         EXPECT_GE(text.at.x(), left);
         EXPECT_LE(text.at.x() + widest_text(text.words, text.height), sheet.width - sheet_margin);
         EXPECT_GT(text.at.y(), sheet_margin);
@@ -104,18 +115,20 @@ TEST(Sheet, ProjectionSymbolTellsFirstFromThirdAngle) {
     for (const Projection projection : {Projection::first_angle, Projection::third_angle}) {
         Sheet sheet;
         add_frame(sheet, {}, "", projection);
-        ASSERT_EQ(sheet.circles.size(), 2u);
-        const auto cone = std::ranges::find_if(sheet.paths, [](const SheetPath& path) {
+        const std::vector<DrawnCircle> circles = all<DrawnCircle>(sheet.drawing);
+        const std::vector<DrawnPath> paths = all<DrawnPath>(sheet.drawing);
+        ASSERT_EQ(circles.size(), 2u);
+        const auto cone = std::ranges::find_if(paths, [](const DrawnPath& path) {
             return path.closed && path.vertices.size() == 4 &&
                    path.vertices[0].position.y() != path.vertices[1].position.y() &&
                    path.vertices[0].position.x() != path.vertices[1].position.x();
         });
-        ASSERT_NE(cone, sheet.paths.end());
+        ASSERT_NE(cone, paths.end());
         const double small = cone->vertices[0].position.x(), large = cone->vertices[1].position.x();
         EXPECT_LT(small, large);
-        const double circles = sheet.circles[0].center.x();
-        EXPECT_EQ(circles > large, projection == Projection::first_angle);
-        EXPECT_EQ(circles < small, projection == Projection::third_angle);
+        const double middle = circles[0].center.x();
+        EXPECT_EQ(middle > large, projection == Projection::first_angle);
+        EXPECT_EQ(middle < small, projection == Projection::third_angle);
     }
 }
 
@@ -147,18 +160,21 @@ TEST(Sheet, MarksAvoidOverlap) {
     dimension.place = {0.0, 0.01};
     for (const double length : {0.05, 0.002}) {
         dimension.second = {length, 0.0};
-        const DimensionMarks marks = dimension_marks(dimension, {});
-        ASSERT_EQ(marks.arrows.size(), 2u);
-        const bool inside = marks.arrows[0][1].x() > marks.arrows[0][0].x();  // the back lies inwards
+        const Drawing marks = dimension_marks(dimension, 1.0);
+        std::vector<DrawnPath> arrows = all<DrawnPath>(marks);
+        std::erase_if(arrows, [](const DrawnPath& path) { return path.style != "arrow"; });
+        ASSERT_EQ(arrows.size(), 2u);
+        const std::vector<ArcVertex>& first = arrows[0].vertices;
+        const bool inside = first[1].position.x() > first[0].position.x();  // the back lies inwards
         EXPECT_EQ(inside, length == 0.05);
-        EXPECT_EQ(marks.text.at.x() > length, length == 0.002);
+        EXPECT_EQ(all<DrawnText>(marks).at(0).at.x() > length, length == 0.002);
     }
 }
 
 /// Words of a keyway 6 wide and of its angle, and others at one place: none lie over another.
 TEST(Sheet, DimensionsMoveApart) {
     Sheet sheet;
-    sheet.texts.push_back({"DATUM", {-0.004, 0.016}, 2.5e-3, "datum, α = 0", TextSide::end});
+    sheet.drawing.text({"datum-words", {-0.004, 0.016}, 2.5e-3, "datum, α = 0", TextSide::end});
     for (const double height : {0.012, 0.012, 0.016}) {
         DrawnDimension dimension;
         dimension.first = {-0.003, 0.005};
@@ -168,16 +184,13 @@ TEST(Sheet, DimensionsMoveApart) {
         sheet.dimensions.push_back(dimension);
     }
     separate_dimensions(sheet);
-    std::vector<DrawnText> words = sheet.texts;
-    for (const DrawnDimension& dimension : sheet.dimensions)
-        words.push_back(dimension_marks(dimension, sheet.view).text);
+    const std::vector<DrawnText> words = all<DrawnText>(drawing_with_marks(sheet));
+    EXPECT_EQ(words.size(), 4u);
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) {
             const auto box = [](const DrawnText& text) {
                 const double width = widest_text(text.words, text.height);
-                const double part = text.anchor == TextSide::start    ? 0.0
-                                    : text.anchor == TextSide::middle ? 0.5
-                                                                      : 1.0;
+                const double part = share_before(text.anchor);
                 return std::pair(text.at.x() - part * width, text.at.x() + (1.0 - part) * width);
             };
             const auto [left, right] = box(words[i]);
@@ -199,14 +212,17 @@ TEST(Sheet, WordsThatDoNotFitAreCut) {
 TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
     Sheet sheet;
     sheet.title = "a <b>";
-    sheet.view = {{0.125, 0.125}, 0.5};
-    sheet.line("CAM", SheetPen::thick, {0.0, 0.0}, {0.02, 0.0});
-    sheet.arc("CAM", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, 0.02}, 0.0, 1.5 * pi);
-    sheet.texts.push_back({"NOTES", {0.25, 0.125}, 2e-3, "⌀ 5 °", TextSide::end});
+    sheet.origin = {0.125, 0.125};
+    sheet.scale = 0.5;
+    sheet.drawing.line("cam", {0.0, 0.0}, {0.02, 0.0});
+    sheet.drawing.arc("cam", {0.0, 0.0}, 0.02, 0.0, 1.5 * pi);
+    Drawing words;
+    words.text({"notes", {0.25, 0.125}, 2e-3, "⌀ 5 °", TextSide::end});
+    sheet.add_on_paper(words);
     DrawnDimension dimension;
     dimension.kind = DrawnDimension::Kind::diameter;
     dimension.second = {0.02, 0.0};
-    dimension.place = {0.13, 0.12};
+    dimension.place = {0.01, -0.01};
     sheet.dimensions.push_back(dimension);
     const std::string svg = sheet_svg(sheet);
     EXPECT_NE(svg.find("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""), std::string::npos);
