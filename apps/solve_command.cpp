@@ -23,7 +23,7 @@ namespace {
 std::string plane_types() {
     std::vector<std::string> types;
     for (const CamKind& kind : cam_kinds())
-        if (kind.is_plane_curve) types.push_back(fmt::format("\"{}\"", kind.type));
+        if (kind.gives(CamOutput::outline)) types.push_back(fmt::format("\"{}\"", kind.type));
     const std::string last = types.back();
     types.pop_back();
     return fmt::format("{} and {}", fmt::join(types, ", "), last);
@@ -32,7 +32,7 @@ std::string plane_types() {
 LoadedScene requested_scene(const SolveRequest& request) {
     LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
     const std::optional<CamSpec>& cam = loaded.scene.cam;
-    if (request.dxf && cam && !cam_kind(cam->type)->is_plane_curve)
+    if (request.dxf && cam && !cam_kind(cam->type)->gives(CamOutput::outline))
         throw InputError(
             fmt::format("--dxf: found with a cam of type \"{}\", which is not a plane curve; allowed: with "
                         "types {}; `camopt export` writes its flanks and solid",

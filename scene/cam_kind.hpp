@@ -42,6 +42,14 @@ struct CamSynonym {
     std::string_view word, meant;
 };
 
+/// What a cam can be exported as.
+enum class CamOutput {
+    outline,       ///< a plane curve: table, picture, DXF
+    sheet,         ///< a workshop drawing
+    second_sheet,  ///< another of a second disk
+    solid          ///< a solid or its flanks (STEP), and the NC program that mills it
+};
+
 struct CamKind {
     std::string type;    ///< cam.type
     std::string spoken;  ///< as a list of kinds names it: "a disk cam with its follower"; empty: its type
@@ -54,8 +62,8 @@ struct CamKind {
         lift_remark;  ///< the meaning of its lift, after the keys of a length: ", the stroke of its feeder"
     bool has_rotation = true;
     bool only_drd = false;
-    bool is_plane_curve = true;  ///< a drawing can hold it
-    bool is_direct = false;      ///< it touches its follower itself: it has a workshop drawing and a solid
+    /// What can be made of a cam of this kind besides its motion; of some variants perhaps less.
+    std::vector<CamOutput> outputs = {CamOutput::outline};
     /// Its own keys. Where an earlier kind has the key too, its texts follow those of the earlier one.
     std::vector<KeyRow> rows;
     std::vector<CamSynonym> also_called;   ///< of keys in [cam]
@@ -63,9 +71,12 @@ struct CamKind {
     /// Puts the numbers without an index that a scene gives, SI by their keys, into a spec that has all else.
     /// Throws SceneError for one that does not fit. None: there are no such numbers.
     std::function<CamSpec(const CamSpec& spec, const std::map<std::string, double>& given)> add_given = {};
-    /// Makes the formulas of a spec of this kind; none: profiles/factory knows them.
+    /// Makes the formulas of a spec of this kind; none: its row in profiles/kinds has them.
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> formulas = {};
 
+    [[nodiscard]] bool gives(CamOutput output) const {
+        return std::ranges::find(outputs, output) != outputs.end();
+    }
     /// Whether a scene with this kind may have the key.
     [[nodiscard]] bool knows(std::string_view table, std::string_view key) const {
         const auto is_it = [&](const auto& entry) { return entry.table == table && entry.key == key; };

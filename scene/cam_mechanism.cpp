@@ -88,49 +88,9 @@ MechanismValue CamMechanism::pressure_excess(double limit, int sign, const Mecha
            -std::sin(limit) * quantity(MechanismQuantity::pressure_denominator, state, station, active);
 }
 
-std::optional<RangeOver> CamMechanism::pressure_over(double limit, int sign, const MechanismStateOver& state,
-                                                     int station) const {
-    const auto numerator = quantity_over(MechanismQuantity::pressure_numerator, state, station);
-    const auto denominator = quantity_over(MechanismQuantity::pressure_denominator, state, station);
-    if (!numerator || !denominator) return {};
-    return sign * std::cos(limit) * *numerator - std::sin(limit) * *denominator;
-}
-
-std::optional<RangeOver> CamMechanism::regularity_over(double margin, const MechanismStateOver& state,
-                                                       int station) const {
-    const auto regularity = quantity_over(MechanismQuantity::regularity, state, station);
-    if (!regularity) return {};
-    return RangeOver(margin) - *regularity;
-}
-
-std::optional<RangeOver> CamMechanism::radius_over(double shift, const MechanismStateOver& state,
-                                                   int station) const {
-    const auto curvature = quantity_over(MechanismQuantity::pitch_curvature, state, station);
-    const int roller = roller_radius_at(station);
-    if (!curvature) return {};
-    const RangeOver radius = roller < 0 ? RangeOver(0.0) : state.dimensions[static_cast<std::size_t>(roller)];
-    return (radius + RangeOver(shift)) * *curvature - RangeOver(1.0);
-}
-
-std::optional<RangeAlong> CamMechanism::pressure_along(double limit, int sign,
-                                                       const MechanismStateAlong& state, int station) const {
-    const auto numerator = quantity_along(MechanismQuantity::pressure_numerator, state, station);
-    const auto denominator = quantity_along(MechanismQuantity::pressure_denominator, state, station);
-    if (!numerator || !denominator) return {};
-    return sign * std::cos(limit) * *numerator - std::sin(limit) * *denominator;
-}
-
-std::string CamMechanism::undercut_words() const {
-    return "the cam intersects itself there; the remaining part does not guide the roller as designed. A "
-           "smaller roller or a larger distance of the cam's centre helps";
-}
-
-std::string CamMechanism::check_words(int points) const {
-    return fmt::format("lever and linkage run over {} points of the cam", points);
-}
-
-std::vector<DrivenMechanism> CamMechanism::pieces(std::span<const double> /*dimensions*/) const {
-    return {};
+const LimitStructure& CamMechanism::limit_structure() const {
+    static const LimitStructure none;
+    return none;
 }
 
 std::optional<CamFlanks> CamMechanism::flanks(std::span<const double> /*dimensions*/) const {

@@ -44,7 +44,7 @@ bool wants_only_motion(const ExportRequest& request) {
 std::string drawn_types() {
     std::vector<std::string_view> types;
     for (const CamKind& kind : cam_kinds())
-        if (kind.is_direct) types.emplace_back(kind.type);
+        if (kind.gives(CamOutput::sheet)) types.emplace_back(kind.type);
     return quoted_choices(types);
 }
 
@@ -68,15 +68,12 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
             request.scene));
     }
     if (request.sheet == "pdf") require_pdf();
-    if (!cam_kind(cam->type)->is_plane_curve) {
-        if (!request.sheet.empty()) refuse_drawing(request, cam->type);
-        if (!request.dxf) return;
+    const CamKind& kind = *cam_kind(cam->type);
+    if (!request.sheet.empty() && !kind.gives(CamOutput::sheet)) refuse_drawing(request, cam->type);
+    if (request.dxf && !kind.gives(CamOutput::outline))
         throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is not a plane curve",
                                      request.scene, cam->type));
-    }
-    const bool direct = cam->formulas()->is_direct();
-    if (!direct && !request.sheet.empty()) refuse_drawing(request, cam->type);
-    if (!direct && (request.step || request.stl || request.nc))
+    if ((request.step || request.stl || request.nc) && !kind.gives(CamOutput::solid))
         throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
                                      request.scene, cam->type));
 }

@@ -76,7 +76,7 @@ constexpr std::array groups = {"Motions",       "Programs",    "Plane cams",
 
 const char* group_of(const Scene& scene) {
     if (scene.motion.valve) return groups[4];
-    if (scene.cam) return groups[cam_kind(scene.cam->type)->is_plane_curve ? 2 : 3];
+    if (scene.cam) return groups[cam_kind(scene.cam->type)->gives(CamOutput::outline) ? 2 : 3];
     if (scene.drive) return groups[5];
     return groups[scene.motion.type == MotionType::program ? 1 : 0];
 }

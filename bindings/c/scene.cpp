@@ -24,7 +24,7 @@ namespace {
 }
 
 bool has_plane_cam(const Solution& solution) {
-    return solution.cam && solution.cam->cam.formulas->is_plane_curve();
+    return !cam_file_list(solution).empty();
 }
 
 std::string cam_document(const Solution& solution, CamView view, const char* what) {

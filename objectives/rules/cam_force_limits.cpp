@@ -101,7 +101,7 @@ void add_torque(Limits& limits, const WrittenLimit& limit, const Force& force) {
 }
 
 void refuse_hertz_pressure(const Limits& limits, const WrittenLimit& limit, const ForceSpec& forces) {
-    if (limits.cam().has_pitch_curve() && limits.cam().roller_radius() < 0) {
+    if (limits.cam().contact() == ContactKind::edge) {
         throw InputError(limit.key +
                          ": found a limit on the Hertz pressure of a knife edge; allowed: a roller "
                          "or a flat face");
@@ -159,7 +159,7 @@ void add_contact(Limits& limits, const std::string& key) {
     const bool held = pressure.rise && pressure.back;
     for (int station = 0; station < limits.cam().stations(); ++station) {
         if (!regular) add_regularity(limits, {least_contact, key + " (undercut)"}, station);
-        if (!held && limits.cam().binds(pressure_numerator, station))
+        if (!held && limits.structure().binds(pressure_numerator, station))
             add_height(limits, key + " (contact below the cam's centre)", station);
     }
 }

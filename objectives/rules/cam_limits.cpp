@@ -19,13 +19,13 @@ double Limits::roller(int station) const {
 }
 
 void Limits::add_at(CamFormula formula, int station) {
-    if (cam().is_direct()) formula.remark = cam().station_name(station);
+    if (cam().direct() != nullptr) formula.remark = cam().station_name(station);
     add(std::move(formula));
 }
 
 void add_regularity(Limits& limits, const WrittenLimit& limit, int station) {
     using enum MechanismQuantity;
-    if (!limits.cam().binds(regularity, station)) return;
+    if (!limits.structure().binds(regularity, station)) return;
     const double margin = limit.value;
     const int base = limits.cam().base_radius_index();
     // Of a pushed flat face (base + s + s'')/base >= margin times base is linear in the base radius too.
@@ -41,7 +41,8 @@ void add_regularity(Limits& limits, const WrittenLimit& limit, int station) {
         limit.key, [=](const auto& call) { return -1.0 * call.quantity(regularity, station) + margin; });
     formula.figure = regularity;
     formula.over = [=](const CamCallOver& call) {
-        return call.cam.regularity_over(margin, call.state, station);
+        const MechanismEnclosures* const known = call.cam.enclosures();
+        return known == nullptr ? std::nullopt : known->regularity_over(margin, call.state, station);
     };
     limits.add_at(std::move(formula), station);
 }
@@ -65,7 +66,12 @@ void add_radius(Limits& limits, const WrittenLimit& limit, double shift, double 
         if (roller < 0) return shift * curvature + -1.0;
         return (call.dimension(roller) + shift) * curvature + -1.0;
     });
-    formula.over = [=](const CamCallOver& call) { return call.cam.radius_over(shift, call.state, station); };
+    formula.over = [=](const CamCallOver& call) -> std::optional<RangeOver> {
+        const MechanismEnclosures* const known = call.cam.enclosures();
+        if (known == nullptr) return {};
+        const RangeOver radius = roller < 0 ? RangeOver(shift) : call.dimension(roller) + RangeOver(shift);
+        return known->radius_over(radius, call.state, station);
+    };
     formula.figure = pitch_curvature;
     formula.scale = scale;
     limits.add_at(std::move(formula), station);
@@ -104,7 +110,8 @@ void add_flat_radius(Limits& limits) {
 
 /// 1 + σψ' of an oscillating flat face stays positive: where it vanishes there is no contact.
 void add_face_turn(Limits& limits, const std::string& key) {
-    const double sense = limits.cam().face_turn();
+    const DirectCam* const cam = limits.cam().direct();
+    const double sense = cam == nullptr ? 0.0 : cam->face_turn();
     if (sense == 0.0) return;
     CamFormula formula = cam_formula(
         key, [sense](const auto& call) { return -sense * call.velocity() + (least_face_turn - 1.0); });
@@ -143,8 +150,7 @@ const WrittenLimit* limit_of_contact(const Scene& scene) {
 // Relative to the longest dimension: a cam closer to the limit of its reach than this is ill-conditioned.
 constexpr double least_reach = 1e-6;
 
-void add_inequality(CamModel& model, const CamSpec& spec,
-                    std::span<const CamMechanism::SignedIndex> inequality) {
+void add_inequality(CamModel& model, const CamSpec& spec, std::span<const SignedIndex> inequality) {
     ParameterRow row{"cam.base_radius", {}, {}, 0.0, true, 1.0};
     double most = 0.0, longest = 0.0;
     for (const auto& [which, sign] : inequality) {
@@ -175,19 +181,22 @@ std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene, const
     Limits limits(scene, variables);
     const CamMechanism& cam = limits.cam();
     add_pressure(limits);
-    if (cam.planar() && !cam.has_pitch_curve()) add_flat_radius(limits);
-    for (int station = 0; cam.has_pitch_curve() && station < cam.stations(); ++station)
-        add_radii(limits, station);
+    if (cam.radius_quantity() == cam_radius) add_flat_radius(limits);
+    if (cam.radius_quantity() == pitch_curvature)
+        for (int station = 0; station < cam.stations(); ++station) add_radii(limits, station);
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::regularity))
         for (int station = 0; station < cam.stations(); ++station) add_regularity(limits, *limit, station);
     if (const WrittenLimit* limit = limit_of_contact(scene)) add_face_turn(limits, limit->key);
     add_face_width(limits);
-    if (cam.is_direct()) add_forces(limits);
+    add_forces(limits);
     return limits.taken();
 }
 
 void add_reach_rows(CamModel& model, const CamSpec& spec) {
-    for (const auto& inequality : spec.formulas()->reach()) add_inequality(model, spec, inequality);
+    const auto formulas = spec.formulas();
+    const DirectCam* const cam = formulas->direct();
+    if (cam == nullptr) return;
+    for (const auto& inequality : cam->reach()) add_inequality(model, spec, inequality);
 }
 
 }  // namespace camopt

@@ -86,29 +86,34 @@ void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool
         return 1.0 / length *
                call.cam.pressure_excess(side.limit, side.sign, call.state, side.station, call.active);
     };
-    formula.over = [=](const CamCallOver& call) {
-        if (!at_rest) return call.cam.pressure_over(side.limit, side.sign, call.state, side.station);
+    formula.over = [=](const CamCallOver& call) -> std::optional<RangeOver> {
+        const MechanismEnclosures* const known = call.cam.enclosures();
+        if (known == nullptr) return {};
+        if (!at_rest) return known->pressure_over(side.limit, side.sign, call.state, side.station);
         MechanismStateOver still = call.state;
         still.velocity = {};
-        return call.cam.pressure_over(side.limit, side.sign, still, side.station);
+        return known->pressure_over(side.limit, side.sign, still, side.station);
     };
     formula.along = [=](const CamCallAlong& call) -> std::optional<RangeAlong> {
+        const MechanismEnclosures* const known = call.cam.enclosures();
+        if (known == nullptr) return {};
         MechanismStateAlong state = call.state;
         if (at_rest) state.velocity = {};
-        const auto excess = call.cam.pressure_along(side.limit, side.sign, state, side.station);
+        const auto excess = known->pressure_along(side.limit, side.sign, state, side.station);
         if (!excess) return {};
         return 1.0 / length * *excess;
     };
     const auto shape = [cam = limits.variables().cam, active = limits.active(), side](double least,
                                                                                       double most) {
-        return cam.formulas->pressure_shape(side, {cam.dimensions, active}, least, most);
+        return cam.formulas->limit_structure().pressure_shape(side, {cam.dimensions, active}, least, most);
     };
     formula.linear = shape(-infinity, infinity) == Curvature::linear;
     formula.shape = shape;
-    if (!at_rest) formula.slopes = limits.cam().pressure_slopes(side, limits.dimensions());
+    if (!at_rest) formula.slopes = limits.structure().pressure_slopes(side, limits.dimensions());
     // Both flanks of a groove have one normal: one rule covers both.
     const int last = limits.cam().stations() - 1;
-    if (limits.cam().binds(pressure_numerator, last)) return limits.add_at(std::move(formula), side.station);
+    if (limits.structure().binds(pressure_numerator, last))
+        return limits.add_at(std::move(formula), side.station);
     limits.add(std::move(formula));
 }
 
@@ -117,17 +122,17 @@ void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool
 void add_pressure(Limits& limits) {
     const PressureLimits pressure = pressure_limits(limits.scene().limits);
     if (!pressure.stricter()) return;
-    const CamMechanism& cam = limits.cam();
-    for (int station = 0; station < cam.stations(); ++station) {
-        if (!cam.binds(pressure_numerator, station)) continue;
+    const LimitStructure& structure = limits.structure();
+    for (int station = 0; station < limits.cam().stations(); ++station) {
+        if (!structure.binds(pressure_numerator, station)) continue;
         // The upper side of tan φ = N/D belongs to the rise, or to the return.
-        const bool rises = cam.upper_side_rises(station);
+        const bool rises = structure.upper_side_rises(station);
         const auto& upper = rises ? pressure.rise : pressure.back;
         const auto& lower = rises ? pressure.back : pressure.rise;
         if (upper) add_side(limits, *upper, {0.0, 1, station}, false);
         if (lower) add_side(limits, *lower, {0.0, -1, station}, false);
         const bool same = upper && lower && upper->value == lower->value;
-        if (!cam.leans_at_rest(station, limits.setting())) continue;
+        if (!structure.leans_at_rest(station, limits.setting())) continue;
         for (const int sign : {1, -1}) {
             if (!same) add_side(limits, *pressure.stricter(), {0.0, sign, station}, true);
             if (pressure.general_at_rest_alone())

@@ -75,7 +75,8 @@ struct CamCallOver : EnclosedCall<RangeOver> {
     const MechanismStateOver& state;
 
     [[nodiscard]] RangeOver quantity(MechanismQuantity which, int station) const {
-        return noted(cam.quantity_over(which, state, station));
+        const MechanismEnclosures* const known = cam.enclosures();
+        return noted(known == nullptr ? std::nullopt : known->quantity_over(which, state, station));
     }
     [[nodiscard]] const RangeOver& displacement() const { return state.s; }
     [[nodiscard]] const RangeOver& velocity() const { return state.velocity; }
@@ -94,7 +95,8 @@ struct CamCallAlong : EnclosedCall<RangeAlong> {
     const MechanismStateAlong& state;
 
     [[nodiscard]] RangeAlong quantity(MechanismQuantity which, int station) const {
-        return noted(cam.quantity_along(which, state, station));
+        const MechanismEnclosures* const known = cam.enclosures();
+        return noted(known == nullptr ? std::nullopt : known->quantity_along(which, state, station));
     }
     [[nodiscard]] const RangeAlong& displacement() const { return state.s; }
     [[nodiscard]] const RangeAlong& velocity() const { return state.velocity; }
@@ -152,7 +154,7 @@ class CamRule final : public PointRule {
 
     /// Whether its stations are all that the limit covers; else it holds at them only.
     [[nodiscard]] bool at_every_station() const {
-        return cam_->cam.formulas->has_all_stations(formula_.figure);
+        return cam_->cam.formulas->limit_structure().has_all_stations(formula_.figure);
     }
     [[nodiscard]] std::string name() const override { return formula_.name; }
     [[nodiscard]] RowOrigin origin() const override;
@@ -200,6 +202,7 @@ class Limits {
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const CamMechanism& cam() const { return *variables_->cam.formulas; }
+    [[nodiscard]] const LimitStructure& structure() const { return cam().limit_structure(); }
     [[nodiscard]] const CamVariables& variables() const { return *variables_; }
     [[nodiscard]] const std::vector<double>& dimensions() const { return variables_->cam.dimensions; }
     [[nodiscard]] MechanismSetting setting() const { return {dimensions(), active_}; }
@@ -214,7 +217,7 @@ class Limits {
     }
     /// The shape of a quantity.
     [[nodiscard]] bool is_linear(MechanismQuantity which) const {
-        return cam().shape(which, setting()) == Curvature::linear;
+        return structure().shape(which, setting()) == Curvature::linear;
     }
 
     void add(CamFormula formula) {

@@ -2,8 +2,6 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "scene/scene.hpp"
 
-#include <fmt/format.h>
-
 namespace camopt {
 namespace {
 
@@ -23,7 +21,11 @@ MechanismPoint mechanism_point(const ProfilePoint& found) {
     return point;
 }
 
-class DiskMechanism final : public CamMechanism {
+class DiskMechanism final : public CamMechanism,
+                            public LimitStructure,
+                            public MechanismEnclosures,
+                            public PlaneMechanism,
+                            public DirectCam {
  public:
     DiskMechanism(FollowerType follower, Rotation rotation, const FormSpec& form)
         : follower_(follower), rotation_(rotation), form_(form), which_(dimensions_of(follower)) {}
@@ -44,17 +46,19 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] double surface_offset(std::span<const double> dimensions, int station) const override {
         return camopt::surface_offset(cam(dimensions), station);
     }
-    [[nodiscard]] int roller_radius() const override {
-        return has_roller(follower_) ? place_of(DimensionIndex::roller_radius) : -1;
-    }
     /// That of a separate second roller is last among the numbers of the form.
     [[nodiscard]] int roller_radius_at(int station) const override {
-        if (station == 0 || !form_.is_conjugate() || !form_.second_roller_radius) return roller_radius();
-        return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;
+        if (station == 1 && form_.is_conjugate() && form_.second_roller_radius)
+            return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;
+        return has_roller(follower_) ? place_of(DimensionIndex::roller_radius) : -1;
     }
-    [[nodiscard]] bool planar() const override { return true; }
-    [[nodiscard]] bool is_direct() const override { return true; }
-    [[nodiscard]] bool has_pitch_curve() const override { return !has_flat_face(follower_); }
+    [[nodiscard]] std::optional<MechanismQuantity> radius_quantity() const override {
+        return has_flat_face(follower_) ? MechanismQuantity::cam_radius : MechanismQuantity::pitch_curvature;
+    }
+    [[nodiscard]] const LimitStructure& limit_structure() const override { return *this; }
+    [[nodiscard]] const MechanismEnclosures* enclosures() const override { return this; }
+    [[nodiscard]] const PlaneMechanism* plane() const override { return this; }
+    [[nodiscard]] const DirectCam* direct() const override { return this; }
     [[nodiscard]] int base_radius_index() const override { return place_of(DimensionIndex::base_radius); }
     [[nodiscard]] std::optional<double> pushed_offset(std::span<const double> dimensions) const override {
         if (swings() || has_flat_face(follower_)) return {};
@@ -90,20 +94,6 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] std::optional<SceneFault> find_fault(const CamSpec& spec,
                                                        const MotionSpec& motion) const override {
         return disk_fault(disk_of(spec), motion);
-    }
-    [[nodiscard]] std::string undercut_words() const override {
-        if (has_edge(follower_)) return {};
-        return fmt::format(
-            "the cam intersects itself there; the remaining part does not guide the follower as designed. A "
-            "larger base radius{} {}",
-            has_roller(follower_) ? " or a smaller roller" : "",
-            is_oscillating(follower_) ? "may help" : "helps");
-    }
-    [[nodiscard]] std::string check_words(int points) const override {
-        if (form_.is_grooved())
-            return fmt::format("a roller run along both flanks over {} points of each", points);
-        if (form_.is_conjugate()) return fmt::format("each roller run over {} points of its disk", points);
-        return fmt::format("a follower run over {} points of the cam", points);
     }
     /// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):
     /// docs/theory/pressure_angle.md. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm):
@@ -176,7 +166,7 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
                                           std::span<const int> active) const override {
         const auto size = static_cast<Eigen::Index>(3 + active.size());
-        if (which == MechanismQuantity::pitch_curvature && !has_pitch_curve()) {
+        if (which == MechanismQuantity::pitch_curvature && has_flat_face(follower_)) {
             const double none = std::numeric_limits<double>::quiet_NaN();
             return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
         }
@@ -198,19 +188,16 @@ class DiskMechanism final : public CamMechanism {
     }
     [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
                                                            int station) const override {
-        if (!has_roller(follower_)) return CamMechanism::regularity_over(margin, state, station);
+        if (!has_roller(follower_)) return MechanismEnclosures::regularity_over(margin, state, station);
         const DiskCam own = form();
         const StateOver box = over(state);
         const double wider = form_.is_grooved() ? 0.5 * form_.groove_clearance : 0.0;
         return curvature_excess(own, box, roller_on(own, box, station) + wider, 1.0 - margin, station);
     }
-    [[nodiscard]] std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
+    [[nodiscard]] std::optional<RangeOver> radius_over(const RangeOver& radius,
+                                                       const MechanismStateOver& state,
                                                        int station) const override {
-        const DiskCam own = form();
-        const StateOver box = over(state);
-        const RangeOver factor =
-            has_roller(follower_) ? roller_on(own, box, station) + shift : RangeOver(shift);
-        return curvature_excess(own, box, factor, 1.0, station);
+        return curvature_excess(form(), over(state), radius, 1.0, station);
     }
     [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                            const MechanismStateAlong& state,
@@ -222,43 +209,19 @@ class DiskMechanism final : public CamMechanism {
                                        int station) const override {
         return mechanism_point(profile_point(cam(state.dimensions), theta, state.output, station));
     }
-    [[nodiscard]] std::string follower_name() const override { return name_of(follower_); }
-    [[nodiscard]] std::string form_name() const override {
-        return form_.drives_both_ways() ? name_of(form_.type) : "";
-    }
-    [[nodiscard]] std::string form_words() const override {
-        if (form_.is_grooved()) return "in a groove";
-        return form_.is_conjugate() ? "on conjugate disks" : "";
-    }
-    [[nodiscard]] std::vector<NamedDimension> named_dimensions(
-        std::span<const double> dimensions) const override {
-        std::vector<NamedDimension> all;
-        for (std::size_t i = 0; i < which_.size(); ++i) all.push_back({name_of(which_[i]), dimensions[i]});
+    [[nodiscard]] DirectCamDrawing drawing(std::span<const double> dimensions) const override {
+        DirectCamDrawing drawing{name_of(follower_), form_.drives_both_ways() ? name_of(form_.type) : "", {}};
+        for (std::size_t i = 0; i < which_.size(); ++i)
+            drawing.dimensions.push_back({name_of(which_[i]), dimensions[i]});
         for (const auto& dimension : form_dimensions(follower_, form_))
-            all.push_back({dimension.name, dimension.value.low, dimension.is_angle, true});
-        return all;
+            drawing.dimensions.push_back({dimension.name, dimension.value.low, dimension.is_angle, true});
+        if (form_.is_grooved())
+            drawing.groove_wall = form_.groove_wall.value_or(cam(dimensions)[DimensionIndex::roller_radius]);
+        if (form_.is_conjugate()) drawing.pieces = pieces(cam(dimensions));
+        return drawing;
     }
-    [[nodiscard]] std::optional<Eigen::Vector2d> arm_pivot(
-        std::span<const double> dimensions) const override {
-        if (!swings()) return std::nullopt;
-        return Eigen::Vector2d(cam(dimensions)[DimensionIndex::center_distance], 0.0);
-    }
-    [[nodiscard]] std::optional<double> groove_wall(std::span<const double> dimensions) const override {
-        if (!form_.is_grooved()) return std::nullopt;
-        return form_.groove_wall.value_or(cam(dimensions)[DimensionIndex::roller_radius]);
-    }
-    [[nodiscard]] std::vector<DrivenMechanism> pieces(std::span<const double> dimensions) const override {
-        if (!form_.is_conjugate()) return {};
-        DiskCam first = cam(dimensions);
-        first.form = {};
-        DiskCam second = first;
-        const auto set = [&second](DimensionIndex which, const std::optional<double>& value) {
-            if (value) second.dimensions[static_cast<std::size_t>(which)] = *value;
-        };
-        set(DimensionIndex::roller_radius, form_.second_roller_radius);
-        set(DimensionIndex::offset, form_.second_offset);
-        set(DimensionIndex::arm_length, form_.second_arm_length);
-        return {disk_mechanism(first), disk_mechanism(second)};
+    [[nodiscard]] double turned(const MechanismState& state) const override {
+        return sense_of(rotation_) * state.theta;
     }
     /// A pushed follower is on a stem that is guided above the cam, a swinging one on an arm.
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
@@ -314,6 +277,18 @@ class DiskMechanism final : public CamMechanism {
     }
 
  private:
+    /// The disks of a conjugate cam, as open cams.
+    [[nodiscard]] std::vector<DrivenMechanism> pieces(DiskCam first) const {
+        first.form = {};
+        DiskCam second = first;
+        const auto set = [&second](DimensionIndex which, const std::optional<double>& value) {
+            if (value) second.dimensions[static_cast<std::size_t>(which)] = *value;
+        };
+        set(DimensionIndex::roller_radius, form_.second_roller_radius);
+        set(DimensionIndex::offset, form_.second_offset);
+        set(DimensionIndex::arm_length, form_.second_arm_length);
+        return {disk_mechanism(first), disk_mechanism(second)};
+    }
     /// On the slide, or on a separate arm.
     void add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
                            const FollowerState& output, const Eigen::Vector2d& first) const {

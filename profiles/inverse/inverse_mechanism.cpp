@@ -95,17 +95,12 @@ struct InverseOver {
     [[nodiscard]] RangeOver ratio() const { return body(1.0, 0.0).velocity; }
 };
 
-class InverseMechanism final : public CamMechanism {
+class InverseMechanism final : public CamMechanism,
+                               public LimitStructure,
+                               public MechanismEnclosures,
+                               public PlaneMechanism {
  public:
     [[nodiscard]] std::string type() const override { return inverse_type; }
-    [[nodiscard]] bool has_guide() const override { return true; }
-    [[nodiscard]] std::string undercut_words() const override {
-        return "a wall of the guide intersects itself there and does not guide the roller as designed. A "
-               "smaller roller or a longer stroke helps";
-    }
-    [[nodiscard]] std::string check_words(int points) const override {
-        return fmt::format("the roller pushes the body along {} points of the guide's walls", points);
-    }
     [[nodiscard]] bool swings() const override { return false; }
     [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
     [[nodiscard]] int stations() const override { return station_count; }
@@ -115,10 +110,12 @@ class InverseMechanism final : public CamMechanism {
     [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
         return which == MechanismQuantity::regularity || station == 0;
     }
-    [[nodiscard]] int roller_radius() const override {
+    [[nodiscard]] int roller_radius_at(int) const override {
         return static_cast<int>(InverseNumber::roller_radius);
     }
-    [[nodiscard]] bool planar() const override { return false; }
+    [[nodiscard]] const LimitStructure& limit_structure() const override { return *this; }
+    [[nodiscard]] const MechanismEnclosures* enclosures() const override { return this; }
+    [[nodiscard]] const PlaneMechanism* plane() const override { return this; }
     [[nodiscard]] double length(std::span<const double> numbers) const override {
         return number(numbers, roller_end);
     }

@@ -25,7 +25,7 @@ namespace camopt {
 //   pressure_numerator   −L θ_body'    pressure_denominator  L'        ' by the cam angle θ
 //   pitch_curvature      ±κ of the guide, regularity 1 ∓ r κ
 // Stations: the left and the right wall of the slot, seen along the guide outwards. Frame of the cam: the
-// body's. Not drawn by the pictures of disk cams (planar() is false).
+// body's. It has no outline with a radius (radius_quantity() is none).
 // Exact partials by automatic differentiation, by all numbers. Out of reach: NaN.
 
 /// CamSpec::make of such a cam. Throws InputError for a spec of another type.

@@ -3,10 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/open_registry.hpp"
-#include "profiles/disk/disk_spec.hpp"
-#include "profiles/inverse/inverse_spec.hpp"
-#include "profiles/remote/remote_spec.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
+#include "profiles/kinds/kind_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +15,7 @@ struct NoMaker {};
 using Kinds = OpenRegistry<CamKind, NoMaker>;
 
 Kinds& kinds() {
-    static Kinds all(&CamKind::type,
-                     {{disk_kind(), remote_kind(), barrel_kind(), cylindrical_kind(), inverse_kind()}, {}});
+    static Kinds all(&CamKind::type, {kind_rows::All::kinds(), {}});
     return all;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The registry of kinds of cams. A new kind needs its leaf and a line here.
+// The registry of kinds of cams. A new kind needs its leaf and a row in kind_rows.hpp.
 #pragma once
 
 #include "scene/cam_kind.hpp"

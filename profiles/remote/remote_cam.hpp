@@ -21,7 +21,7 @@
 
 namespace camopt {
 
-class RemoteCam final : public CamMechanism {
+class RemoteCam final : public CamMechanism, public MechanismEnclosures, public PlaneMechanism {
  public:
     /// Takes type, sense and branches from the spec; of the dimensions only their middles, to determine on
     /// which side of the cam the lever works. Throws InputError for an unknown choice.
@@ -32,10 +32,14 @@ class RemoteCam final : public CamMechanism {
     [[nodiscard]] Rotation rotation() const override { return layout_.rotation; }
     [[nodiscard]] int stations() const override { return 1; }
     [[nodiscard]] std::string station_name(int) const override { return {}; }
-    [[nodiscard]] int roller_radius() const override {
+    [[nodiscard]] int roller_radius_at(int) const override {
         return static_cast<int>(RemoteDimension::roller_radius);
     }
-    [[nodiscard]] bool planar() const override { return true; }
+    [[nodiscard]] std::optional<MechanismQuantity> radius_quantity() const override {
+        return MechanismQuantity::pitch_curvature;
+    }
+    [[nodiscard]] const MechanismEnclosures* enclosures() const override { return this; }
+    [[nodiscard]] const PlaneMechanism* plane() const override { return this; }
     [[nodiscard]] double length(std::span<const double> dimensions) const override;
     [[nodiscard]] std::string fault(std::span<const double> dimensions, double least,
                                     double most) const override;
@@ -48,7 +52,8 @@ class RemoteCam final : public CamMechanism {
                                                          int station) const override;
     [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
                                                            int station) const override;
-    [[nodiscard]] std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
+    [[nodiscard]] std::optional<RangeOver> radius_over(const RangeOver& radius,
+                                                       const MechanismStateOver& state,
                                                        int station) const override;
     [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                            const MechanismStateAlong& state,
@@ -58,6 +63,9 @@ class RemoteCam final : public CamMechanism {
                                                            int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
+    [[nodiscard]] double turned(const MechanismState& state) const override {
+        return sense_of(layout_.rotation) * state.theta;
+    }
 
     [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
                                                            int station) const override;

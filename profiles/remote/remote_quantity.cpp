@@ -182,10 +182,9 @@ std::optional<RangeOver> RemoteCam::regularity_over(double margin, const Mechani
     return curvature_excess_over(own, state, own.linkage[RemoteDimension::roller_radius], 1.0 - margin);
 }
 
-std::optional<RangeOver> RemoteCam::radius_over(double shift, const MechanismStateOver& state, int) const {
-    const auto own = evaluation_over(layout_, state);
-    return curvature_excess_over(own, state, own.linkage[RemoteDimension::roller_radius] + RangeOver(shift),
-                                 1.0);
+std::optional<RangeOver> RemoteCam::radius_over(const RangeOver& radius, const MechanismStateOver& state,
+                                                int) const {
+    return curvature_excess_over(evaluation_over(layout_, state), state, radius, 1.0);
 }
 
 }  // namespace camopt

@@ -47,7 +47,7 @@ Eigen::Matrix<double, spatial_variables, 1> direction_of(const SpatialCam& cam, 
     return direction;
 }
 
-class SpatialMechanism final : public CamMechanism {
+class SpatialMechanism final : public CamMechanism, public LimitStructure, public MechanismEnclosures {
  public:
     SpatialMechanism(SpatialFollower follower, Rotation rotation)
         : follower_(follower), rotation_(rotation) {}
@@ -70,18 +70,11 @@ class SpatialMechanism final : public CamMechanism {
     [[nodiscard]] bool has_all_stations(MechanismQuantity which) const override {
         return which != MechanismQuantity::regularity;
     }
-    [[nodiscard]] int roller_radius() const override {
+    [[nodiscard]] int roller_radius_at(int) const override {
         return static_cast<int>(SpatialNumber::roller_radius);
     }
-    [[nodiscard]] bool planar() const override { return false; }
-    [[nodiscard]] std::string undercut_words() const override {
-        return "a flank folds there and is cut away by the roller's own sweep. A smaller or shorter roller "
-               "or a larger cam helps";
-    }
-    [[nodiscard]] std::string check_words(int points) const override {
-        return fmt::format("the follower is driven by {} points of each flank at either end of its roller",
-                           points);
-    }
+    [[nodiscard]] const LimitStructure& limit_structure() const override { return *this; }
+    [[nodiscard]] const MechanismEnclosures* enclosures() const override { return this; }
     [[nodiscard]] double length(std::span<const double> dimensions) const override {
         return dimensions[static_cast<std::size_t>(SpatialNumber::center_distance)];
     }
@@ -162,7 +155,7 @@ class SpatialMechanism final : public CamMechanism {
             const Interval all = Interval::everything();
             return RangeAlong(all, all, all);
         }
-        return CamMechanism::pressure_along(limit, sign, state, station);
+        return MechanismEnclosures::pressure_along(limit, sign, state, station);
     }
 
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
@@ -179,7 +172,6 @@ class SpatialMechanism final : public CamMechanism {
         point.regularity = found.undercut;
         return point;
     }
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
     [[nodiscard]] std::optional<CamFlanks> flanks(std::span<const double> dimensions) const override {
         return cam(dimensions);
     }

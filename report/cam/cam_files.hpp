@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files of a delivered plane cam, of any kind, as texts: its points and its pictures. A
-// new kind of plane cam is a row of cam_files.cpp.
+// The files of a delivered plane cam, of any kind, as texts: its points and its pictures. Their names are in
+// the rows of view/cam_presentation.cpp.
 //
 //   disk     profile.csv, profile.svg, profile_diagrams.svg; with forces forces.svg
 //   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg
@@ -8,12 +8,10 @@
 // The columns of profile.csv and guide.csv stand in csv/motion_csv.hpp.
 #pragma once
 
+#include "report/view/cam_presentation.hpp"
 #include "report/view/view.hpp"
 
 namespace camopt {
-
-/// What a file shows.
-enum class CamView { table, picture, diagram };
 
 struct CamFile {
     CamView view = CamView::table;
@@ -45,17 +43,5 @@ inline constexpr const char* drawn_profile_check = "profile.check.json";
 
 /// The names of all kinds, those of the drawing with them.
 [[nodiscard]] std::vector<std::string> cam_file_names();
-
-// Private to report/cam: the texts of a plane cam's files by kind, in the order of the rows of
-// cam_files.cpp.
-
-/// Points, the cam to scale, its diagrams.
-[[nodiscard]] std::vector<std::string> disk_texts(const View& view, const CamFileOptions& options);
-
-/// Points, cam and linkage to scale, pressure angle, curvature.
-[[nodiscard]] std::vector<std::string> linkage_texts(const View& view, const CamFileOptions& options);
-
-/// Points of both walls, the guide to scale, pressure angle.
-[[nodiscard]] std::vector<std::string> guide_texts(const View& view, const CamFileOptions& options);
 
 }  // namespace camopt

@@ -64,8 +64,7 @@ double turned_degrees(double theta) {
 
 class CamPicture {
  public:
-    CamPicture(const View& view, const ProfileShape& shape)
-        : view_(view), shape_(shape), cam_(shape.formulas()) {
+    CamPicture(const View& view, const ProfileShape& shape) : view_(view), shape_(shape) {
         if (shape.parts(shape.start).empty()) throw InputError("this mechanism cannot be drawn");
         drawing_ = cam_outlines(shape, sampled_curve(steps));
         add_mechanism(drawing_, shape);
@@ -76,15 +75,9 @@ class CamPicture {
     }
 
     [[nodiscard]] std::string drawn() const {
-        const char* const untitled = cam_.has_guide()   ? "Guide"
-                                     : cam_.is_direct() ? "Cam"
-                                                        : "Cam and linkage";
-        const char* const frame = cam_.has_guide()   ? "frame of the body"
-                                  : cam_.is_direct() ? "cam frame"
-                                                     : "fixed frame";
-        SvgCanvas canvas = new_picture(css_of(styles) + label_style, view_.title(untitled));
+        SvgCanvas canvas = new_picture(css_of(styles) + label_style, view_.title(shape_.picture.untitled));
         draw_length_frame(canvas, place_, shape_.length,
-                          fmt::format("x, y in {} ({})", shape_.length.name, frame));
+                          fmt::format("x, y in {} ({})", shape_.length.name, shape_.picture.frame));
         draw(canvas, drawing_, place_, styles);
         draw_labels(canvas);
         draw_legend(canvas);
@@ -94,30 +87,31 @@ class CamPicture {
  private:
     const View& view_;
     const ProfileShape& shape_;
-    const CamMechanism& cam_;
     Drawing drawing_;
     PicturePlace place_;
 
     void draw_labels(SvgCanvas& canvas) const {
         PlacedTexts labels = labels_of(drawing_, place_, crossed);
+        if (!shape_.picture.turns) return label_guide(canvas, labels);
         const std::vector<MechanismShape> parts = placed_parts(shape_, shape_.start, shape_.start);
         for (const MechanismShape& part : parts)
-            if (part.kind == Kind::circle && !cam_.has_guide()) {
+            if (part.kind == Kind::circle) {
                 const Vector2d px = place_(part.points.front());
                 labels.keep_free(px.x(), px.y(), 0.75 * place_.scale.x() * part.radius);
             }
         if (place_.scale.x() * shape_.base_radius() > least_for_angles)
             for (const AngleMark& mark : angle_marks(shape_)) draw_angle(canvas, labels, mark);
-        if (cam_.has_guide()) label(canvas, labels, {0.0, 0.0}, 14, "body's pivot");
-        if (cam_.has_guide())
-            for (const double theta : {shape_.begin(), shape_.end()})
-                label(canvas, labels, in_plane(shape_.at(theta).pitch),
-                      place_.scale.x() * shape_.roller_radius() + 3,
-                      fmt::format("θ = {}°", short_text(degrees_shown.of(theta), 5)));
-        if (cam_.has_guide() || cam_.is_direct()) return;
+        if (shape_.direct) return;
         for (const MechanismShape& part : parts)
             if (part.kind != Kind::pivot)
                 labels.draw(canvas, words_of(part.name), places_of(part), "label", label_font);
+    }
+    void label_guide(SvgCanvas& canvas, PlacedTexts& labels) const {
+        label(canvas, labels, {0.0, 0.0}, 14, "body's pivot");
+        for (const double theta : {shape_.begin(), shape_.end()})
+            label(canvas, labels, in_plane(shape_.at(theta).pitch),
+                  place_.scale.x() * shape_.roller_radius() + 3,
+                  fmt::format("θ = {}°", short_text(degrees_shown.of(theta), 5)));
     }
     /// Inside the cam, or beside a mark outside of it.
     void draw_angle(SvgCanvas& canvas, PlacedTexts& labels, const AngleMark& mark) const {
@@ -166,34 +160,35 @@ class CamPicture {
     /// What a style stands for; empty: nothing is said of it.
     [[nodiscard]] std::string words_of_style(std::string_view style) const {
         const std::string start = short_text(degrees_shown.of(shape_.start));
-        if (style == "link")
-            return fmt::format("{} at θ = {}°", cam_.is_direct() ? "follower" : "links", start);
+        if (style == "link") return fmt::format("{} at θ = {}°", shape_.picture.links, start);
         if (style == "face") return "flat face";
-        if (style == "roller") return cam_.has_guide() ? "roller at both ends" : "roller";
-        if (style == "guide") return cam_.is_direct() ? "guide of the follower" : "path of the slider";
-        if (style == "ghost") return cam_.is_direct() ? "follower every 60°" : "at both ends of the motion";
+        if (style == "roller") return shape_.picture.roller;
+        if (style == "guide") return shape_.picture.guide;
+        if (style == "ghost") return shape_.picture.ghost;
         if (style == "mark") return "contact every 30°";
         return style == "undercut" ? "undercut" : outline_words(shape_, style);
     }
     void draw_legend(SvgCanvas& canvas) const {
         const Solution& solution = view_.solution;
-        LegendColumn column(canvas, cam_.is_direct() ? 26 : 16 + figure_entries(solution));
+        const std::optional<DirectCamDrawing>& direct = shape_.direct;
+        LegendColumn column(canvas, direct ? 26 : 16 + figure_entries(solution));
         for (const char* const style :
              {"cam", "second", "groove", "wall-left", "wall-right", "pitch", "circle", "prime", "link",
               "face", "roller", "guide", "ghost", "mark", "open", "undercut"})
             if (drawing_.has(style)) column.sample(style, words_of_style(style));
-        column.heading(cam_.is_direct() ? words_of(cam_.follower_name()) : "dimensions");
-        if (!cam_.form_name().empty()) column.words(fmt::format("form: {}", cam_.form_name()));
+        column.heading(direct ? words_of(direct->follower) : "dimensions");
+        if (direct && !direct->form.empty()) column.words(fmt::format("form: {}", direct->form));
         add_dimensions(column, solution);
         if (shape_.has_pushed_face() && shape_.face_half_width)
             column.value("face half width", shape_.length.text(*shape_.face_half_width));
         else if (shape_.has_pushed_face())
             column.words("face: no width given, drawn as needed");
-        if (!cam_.has_guide()) column.words(fmt::format("turns {}", name_of(cam_.rotation())));
-        if (!cam_.is_direct()) add_figures(column, solution);
+        const bool turns = shape_.picture.turns;
+        if (turns) column.words(fmt::format("turns {}", name_of(shape_.formulas().rotation())));
+        if (!direct) add_figures(column, solution);
         if (!shape_.open_because.empty())
             add_opening(column, solution);
-        else if (!shape_.closed && !cam_.has_guide())
+        else if (!shape_.closed && turns)
             column.words(fmt::format("open: θ from {}° to {}°", short_text(degrees_shown.of(shape_.begin())),
                                      short_text(degrees_shown.of(shape_.end()))));
         if (!drawing_.has("undercut")) return;

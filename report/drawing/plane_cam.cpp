@@ -61,25 +61,30 @@ std::vector<MechanismShape> turned_back(const ProfileShape& shape, std::vector<M
     return parts;
 }
 
-/// Pale, at another cam angle: of a disk cam's follower what touches the cam, turned back with it.
-void add_ghost(Drawing& drawing, const ProfileShape& shape, double theta,
-               const std::pair<double, double>& reach) {
-    const bool direct = shape.formulas().is_direct();
+/// Pale, at another cam angle and turned back with the cam: what touches it.
+void add_follower_ghost(Drawing& drawing, const ProfileShape& shape, double theta,
+                        const std::pair<double, double>& reach) {
     const double length = std::max(ghost_length * size_of(shape), 1.2 * shape.roller_radius());
     std::set<PartKind> seen;
-    for (MechanismShape& part :
-         turned_back(shape, drawn_parts(shape, theta, reach), direct ? theta : shape.start)) {
-        if (direct && (!seen.insert(part.kind).second || (part.kind == PartKind::link && shape.has_face())))
-            continue;
+    for (MechanismShape& part : turned_back(shape, drawn_parts(shape, theta, reach), theta)) {
+        if (!seen.insert(part.kind).second || (part.kind == PartKind::link && shape.has_face())) continue;
         if (part.kind == PartKind::circle) drawing.circle("ghost", part.points.front(), part.radius);
         if (part.kind != PartKind::link && part.kind != PartKind::face) continue;
         const Vector2d along = (part.points.back() - part.points.front()).normalized();
-        if (direct && part.kind == PartKind::link) part.points.back() = part.points.front() + length * along;
+        if (part.kind == PartKind::link) part.points.back() = part.points.front() + length * along;
         if (part.kind == PartKind::face && !(shape.has_pushed_face() && shape.face_half_width)) {
             const Vector2d contact = in_plane(shape.at(theta).contact);
             part.points = {contact - length * along, contact + length * along};
         }
         drawing.polyline("ghost", part.points);
+    }
+}
+
+/// Pale, the links and the roller at another cam angle.
+void add_linkage_ghost(Drawing& drawing, const ProfileShape& shape, double theta) {
+    for (const MechanismShape& part : placed_parts(shape, theta, shape.start)) {
+        if (part.kind == PartKind::circle) drawing.circle("ghost", part.points.front(), part.radius);
+        if (part.kind == PartKind::link) drawing.polyline("ghost", part.points);
     }
 }
 
@@ -145,14 +150,14 @@ SideCurve sampled_curve(int count) {
 
 Drawing cam_outlines(const ProfileShape& shape, const SideCurve& curve) {
     Drawing drawing;
-    const bool guide = shape.formulas().has_guide();
-    drawing.path(guide ? "wall-left" : "cam", curve(shape, true), shape.closed);
-    if (!guide) drawing.circle("circle", {0.0, 0.0}, shape.base_radius());
+    const bool turns = shape.picture.turns;
+    drawing.path(turns ? "cam" : "wall-left", curve(shape, true), shape.closed);
+    if (turns) drawing.circle("circle", {0.0, 0.0}, shape.base_radius());
     if (shape.has_roller()) drawing.path("pitch", curve(shape, false), shape.closed);
-    if (!guide && shape.has_roller()) drawing.circle("prime", {0.0, 0.0}, shape.prime_radius());
+    if (turns && shape.has_roller()) drawing.circle("prime", {0.0, 0.0}, shape.prime_radius());
     if (shape.other) {
         const ProfileShape other = other_side(shape);
-        const char* const style = guide ? "wall-right" : shape.is_grooved() ? "groove" : "second";
+        const char* const style = !turns ? "wall-right" : shape.is_grooved() ? "groove" : "second";
         drawing.path(style, curve(other, true), shape.closed);
         if (const std::optional<double> rim = rim_radius(shape)) drawing.circle("rim", {0.0, 0.0}, *rim);
         if (shape.has_two_disks()) drawing.path("second-pitch", curve(other, false), shape.closed);
@@ -206,15 +211,16 @@ std::vector<MechanismShape> placed_parts(const ProfileShape& shape, double theta
 }
 
 void add_mechanism(Drawing& drawing, const ProfileShape& shape) {
-    if (shape.formulas().has_guide()) return add_guide(drawing, shape);
+    if (!shape.picture.turns) return add_guide(drawing, shape);
     drawing.move(center_of(shape));
     const std::pair<double, double> reach = reach_of_face(shape), ends = ends_of_output(shape);
-    if (shape.formulas().is_direct())
+    const bool direct = shape.direct.has_value();
+    if (direct)
         for_each_angle(shape, ghost_step, [&](double theta) {
-            if (std::abs(theta - shape.start) > 1e-9) add_ghost(drawing, shape, theta, reach);
+            if (std::abs(theta - shape.start) > 1e-9) add_follower_ghost(drawing, shape, theta, reach);
         });
     else
-        for (const double theta : {ends.first, ends.second}) add_ghost(drawing, shape, theta, reach);
+        for (const double theta : {ends.first, ends.second}) add_linkage_ghost(drawing, shape, theta);
     const std::vector<MechanismShape> low = placed_parts(shape, ends.first, shape.start),
                                       high = placed_parts(shape, ends.second, shape.start);
     std::vector<Vector2d> link;
@@ -224,7 +230,7 @@ void add_mechanism(Drawing& drawing, const ProfileShape& shape) {
         if (part.kind == PartKind::link) drawing.polyline("link", link = part.points);
         if (part.kind == PartKind::face) drawing.polyline("face", part.points);
         if (part.kind == PartKind::circle) drawing.circle("roller", part.points.front(), part.radius);
-        if (part.kind == PartKind::guide && shape.formulas().is_direct())  // around the stem
+        if (part.kind == PartKind::guide && direct)  // around the stem
             drawing.line("guide", link[0] + guide_begin * (link[1] - link[0]),
                          link[0] + guide_end * (link[1] - link[0]));
         else if (part.kind == PartKind::guide)
@@ -235,11 +241,10 @@ void add_mechanism(Drawing& drawing, const ProfileShape& shape) {
 
 std::vector<AngleMark> angle_marks(const ProfileShape& shape) {
     std::vector<AngleMark> marks;
-    if (!shape.formulas().has_guide())
-        for_each_angle(shape, mark_step, [&](double theta) {
-            const MechanismPoint point = shape.at(theta);
-            marks.push_back({theta, center_of(shape) + in_plane(point.contact), -in_plane(point.normal)});
-        });
+    for_each_angle(shape, mark_step, [&](double theta) {
+        const MechanismPoint point = shape.at(theta);
+        marks.push_back({theta, center_of(shape) + in_plane(point.contact), -in_plane(point.normal)});
+    });
     return marks;
 }
 
@@ -255,7 +260,7 @@ void add_marks(Drawing& drawing, const ProfileShape& shape, double px) {
                          true);
         pin("pivot", at, pivot_px);
     };
-    if (shape.formulas().has_guide()) return stand(center);
+    if (!shape.picture.turns) return stand(center);
     add_undercut(drawing, shape, center, px);
     if (shape.other) add_undercut(drawing, other_side(shape), center, px);
     for (const AngleMark& mark : angle_marks(shape))
@@ -267,7 +272,7 @@ void add_marks(Drawing& drawing, const ProfileShape& shape, double px) {
         if (part.kind == PartKind::link)
             for (const Vector2d& point : part.points) pin("joint", point, joint_px);
         if (part.kind == PartKind::circle) pin("dot", first, dot_px);
-        if (part.kind == PartKind::guide && !shape.formulas().is_direct()) pin("slider", last, slider_px);
+        if (part.kind == PartKind::guide && !shape.direct) pin("slider", last, slider_px);
         if (part.kind == PartKind::pivot && (first - center).norm() > px) stand(first);
         if (part.kind == PartKind::face) {  // the plate lies away from the cam
             Vector2d up = plate_px * px * Vector2d(first.y() - last.y(), last.x() - first.x()).normalized();

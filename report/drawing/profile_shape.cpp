@@ -22,11 +22,17 @@ double crossing(const ProfileShape& shape, double left, double right) {
     return 0.5 * (border.with + border.without);
 }
 
+void set_cam(ProfileShape& shape, const DrivenMechanism& cam) {
+    shape.cam = cam;
+    const DirectCam* const direct = cam.formulas->direct();
+    if (direct != nullptr) shape.direct = direct->drawing(cam.dimensions);
+}
+
 }  // namespace
 
 Vector2d ProfileShape::turned_back(const Vector2d& fixed, double theta) const {
     const Vector2d center = parts(theta).front().points.front();
-    return center + Eigen::Rotation2Dd(-formulas().turned(state(theta))) * (fixed - center);
+    return center + Eigen::Rotation2Dd(-formulas().plane()->turned(state(theta))) * (fixed - center);
 }
 
 ProfileShape other_side(const ProfileShape& shape) {
@@ -37,33 +43,34 @@ ProfileShape other_side(const ProfileShape& shape) {
 }
 
 std::optional<double> rim_radius(const ProfileShape& shape) {
-    const std::optional<double> wall = shape.formulas().groove_wall(shape.cam.dimensions);
-    if (!wall) return std::nullopt;
+    if (!shape.is_grooved()) return std::nullopt;
     double greatest = 0.0;
     for (int i = 0; i <= rim_samples; ++i) {
         const double theta = shape.begin() + (shape.end() - shape.begin()) * i / rim_samples;
         greatest = std::max(greatest, shape.other(theta).contact.norm());
     }
-    return greatest + *wall;
+    return greatest + *shape.direct->groove_wall;
 }
 
 std::vector<ProfileShape> made_pieces(const ProfileShape& shape) {
-    std::vector<DrivenMechanism> pieces = shape.formulas().pieces(shape.cam.dimensions);
-    if (pieces.empty()) return {shape};
+    if (!shape.has_two_disks()) return {shape};
+    const std::vector<DrivenMechanism>& pieces = shape.direct->pieces;
     ProfileShape first = shape, second = other_side(shape);
     first.other = {};
-    first.cam = std::move(pieces.front());
-    second.cam = std::move(pieces.back());
+    set_cam(first, pieces.front());
     double least = HUGE_VAL;
     for (const std::vector<MechanismPoint>& piece : profile_pieces(second, rim_samples))
         for (const MechanismPoint& point : piece) least = std::min(least, point.contact.norm());
-    second.cam.dimensions[second.formulas().base_radius_index()] = least;
+    DrivenMechanism disk = pieces.back();
+    disk.dimensions[static_cast<std::size_t>(disk.formulas->base_radius_index())] = least;
+    set_cam(second, disk);
     return {std::move(first), std::move(second)};
 }
 
 ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points) {
     ProfileShape shape;
-    shape.cam = points->cam();
+    set_cam(shape, points->cam());
+    shape.picture = presentation_of(shape.cam).picture;
     const double unit_angle = points->scale().unit_angle;
     for (const double x : points->motion().breakpoints()) shape.knots.push_back(unit_angle * x);
     shape.start = std::clamp(0.0, shape.begin(), shape.end());
@@ -78,24 +85,24 @@ ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points) {
     };
     const MechanismPoint end = shape.at(shape.end());
     const Vector2d gap = in_plane(end.contact - shape.at(shape.begin()).contact);
-    shape.closed = !shape.formulas().has_guide() && is_whole_turn(shape.end() - shape.begin()) &&
-                   gap.norm() < same_end * end.contact.norm();
+    shape.closed = is_whole_turn(shape.end() - shape.begin()) && gap.norm() < same_end * end.contact.norm();
     return shape;
 }
 
 std::optional<ProfileShape> plane_shape(const View& view) {
-    if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_plane_curve()) return std::nullopt;
+    if (!view.delivered.cam || view.delivered.cam->cam().formulas->plane() == nullptr) return std::nullopt;
     ProfileShape shape = profile_shape(view.delivered.cam);
     if (view.solution.scene.cam) shape.face_half_width = view.solution.scene.cam->face_half_width;
-    if (!shape.formulas().is_direct()) shape.least_radius = view.solution.cam->summary.base_radius;
-    if (!shape.closed && !shape.formulas().has_guide()) shape.open_because = open_because(view.solution);
+    if (!shape.formulas().base_radius(shape.cam.dimensions))
+        shape.least_radius = view.solution.cam->summary.base_radius;
+    if (!shape.closed && shape.picture.turns) shape.open_because = open_because(view.solution);
     shape.length = view.units.length;
     return shape;
 }
 
 std::optional<ProfileShape> delivered_shape(const View& view) {
     std::optional<ProfileShape> shape = plane_shape(view);
-    if (shape && !shape->formulas().is_direct()) shape.reset();
+    if (shape && !shape->direct) shape.reset();
     return shape;
 }
 

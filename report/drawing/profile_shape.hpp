@@ -6,12 +6,15 @@
 // pushed follower rises along +y; it turns with the cam, by σθ about +z. All points lie at z = 0.
 #pragma once
 
+#include "report/view/cam_presentation.hpp"
 #include "report/view/view.hpp"
 
 namespace camopt {
 
 struct ProfileShape {
     DrivenMechanism cam;
+    std::optional<DirectCamDrawing> direct = {};     ///< of a cam that touches its follower itself
+    CamPictureRow picture = {};                      ///< what a picture of it shows
     std::function<MechanismPoint(double theta)> at;  ///< of station 0
     /// Of station 1, the other side of a cam that drives both ways; empty: there is none.
     std::function<MechanismPoint(double theta)> other = {};
@@ -41,16 +44,18 @@ struct ProfileShape {
     }
     [[nodiscard]] double prime_radius() const { return base_radius() + roller_radius(); }
     /// The follower touches with a flat face, on an arm or pushed straight.
-    [[nodiscard]] bool has_face() const { return formulas().planar() && !formulas().has_pitch_curve(); }
+    [[nodiscard]] bool has_face() const {
+        return formulas().radius_quantity() == MechanismQuantity::cam_radius;
+    }
     [[nodiscard]] bool has_pushed_face() const { return has_face() && !cam.formulas->swings(); }
-    [[nodiscard]] bool is_grooved() const { return cam.formulas->groove_wall(cam.dimensions).has_value(); }
+    [[nodiscard]] bool is_grooved() const { return direct && direct->groove_wall; }
     /// Its two sides are disks on one shaft.
-    [[nodiscard]] bool has_two_disks() const { return other && !is_grooved() && formulas().is_direct(); }
+    [[nodiscard]] bool has_two_disks() const { return other && direct && !direct->pieces.empty(); }
 
     [[nodiscard]] MechanismState state(double theta) const { return {cam.dimensions, output(theta), theta}; }
     /// The parts of the mechanism in the frame that stands still.
     [[nodiscard]] std::vector<MechanismShape> parts(double theta) const {
-        return formulas().shapes(state(theta));
+        return formulas().plane()->shapes(state(theta));
     }
     /// A point that stands still, in the cam frame turned by θ, whose centre stays where it is.
     [[nodiscard]] Eigen::Vector2d turned_back(const Eigen::Vector2d& fixed, double theta) const;
@@ -67,7 +72,7 @@ struct ProfileShape {
 /// Of the disk that a groove is cut into, m: the greatest of its outer flank and the wall; none: no groove.
 [[nodiscard]] std::optional<double> rim_radius(const ProfileShape& shape);
 
-/// What is made in one piece: the cam, or each of CamMechanism::pieces with its least radius as its base
+/// What is made in one piece: the cam, or each of DirectCamDrawing::pieces with its least radius as its base
 /// circle. Keeps what the shape keeps.
 [[nodiscard]] std::vector<ProfileShape> made_pieces(const ProfileShape& shape);
 
@@ -80,7 +85,7 @@ struct ProfileShape {
 
 /// Of a solution's plane cam along its drawn motion; none: there is no plane cam.
 [[nodiscard]] std::optional<ProfileShape> plane_shape(const View& view);
-/// The same; none too where the cam does not touch its follower itself (CamMechanism::is_direct).
+/// The same; none too where the cam does not touch its follower itself (DirectCam).
 [[nodiscard]] std::optional<ProfileShape> delivered_shape(const View& view);
 
 /// `steps` angles or more, evenly over the shape, with every knot seen from inside its two neighbours:

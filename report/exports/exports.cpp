@@ -80,6 +80,12 @@ std::string exported_file(const Solution& solution, std::string_view name, const
     return Exports(solution, options).bytes(name);
 }
 
+std::string step_name(const Solution& solution, const std::string& solid) {
+    constexpr const char* flanks = "flanks.step";
+    const std::vector<std::string> names = export_names(solution);
+    return std::ranges::find(names, flanks) == names.end() ? solid : flanks;
+}
+
 std::vector<std::filesystem::path> write_exports(const std::filesystem::path& folder,
                                                  const Solution& solution, std::span<const std::string> names,
                                                  const ExportOptions& options) {

@@ -25,6 +25,9 @@ namespace camopt {
 [[nodiscard]] std::string exported_file(const Solution& solution, std::string_view name,
                                         const ExportOptions& options = {});
 
+/// The STEP file of a cam: its flanks where the solution has them, else this solid.
+[[nodiscard]] std::string step_name(const Solution& solution, const std::string& solid = "cam.step");
+
 /// Writes them into the folder, which is created: all or none. Returns their paths. Throws as exported_file,
 /// and InputError where a file cannot be written.
 std::vector<std::filesystem::path> write_exports(const std::filesystem::path& folder,

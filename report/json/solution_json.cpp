@@ -146,7 +146,7 @@ Json cam_json(const Solution& solution) {
     const CamReport& cam = *solution.cam;
     const CamSummary& summary = cam.summary;
     const CamSpec& spec = solution.scene.cam.value();
-    const bool direct = cam.cam.formulas->is_direct();
+    const bool direct = cam.cam.formulas->direct() != nullptr;
     const Writer writer(solution.scene);
     Json json = Json::object();
     json["type"] = spec.type;

@@ -96,7 +96,7 @@ Json plane_drawing(const View& view) {
     Json turned = Json::array(), contact = Json::array(), middle = Json::array();
     for (const DeliveredRow& row : view.delivered.rows) {
         angles.push_back(unit_angle * row.x);
-        const double turn = cam.formulas->turned(shape->state(angles.back()));
+        const double turn = cam.formulas->plane()->turned(shape->state(angles.back()));
         turned.push_back(rounded_json(view.units.angle.of(turn)));
         append(contact, shape->length, center + Eigen::Rotation2Dd(turn) * row.cam.front().contact.head<2>());
     }

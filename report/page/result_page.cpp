@@ -78,7 +78,7 @@ std::string report_html(const View& view, const RunOrigin& origin) {
 std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin) {
     const Solution& solution = view.solution;
     std::vector<FolderFile> files = {{"report.html", report_html(view, origin)}};
-    if (!solution.cam || !has_flanks(solution)) return files;
+    if (!page_needs_solids(solution)) return files;
     const CamFlanks cam = solved_flanks(solution);
     const MotionChain turn = whole_turn(solution);
     const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));

@@ -2,6 +2,7 @@
 #include "report/solve/cam_remarks.hpp"
 
 #include "core/text/list_text.hpp"
+#include "report/view/cam_presentation.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/key_words.hpp"
 #include "scene/limit_table.hpp"
@@ -24,10 +25,10 @@ constexpr double raised_follower = 1e-3;  // lifts: below it a spring has nothin
 std::string undercut_remark(const Solution& solution) {
     const CamMechanism& cam = *solution.cam->cam.formulas;
     const CamSummary& summary = solution.cam->summary;
-    const std::string words = cam.undercut_words();
-    if (words.empty()) return "No undercut: a knife edge follows any pitch curve.";
+    if (cam.contact() == ContactKind::edge) return "No undercut: a knife edge follows any pitch curve.";
     const std::string limit =
-        limit_row(cam.planar() ? LimitedFigure::convex_radius : LimitedFigure::regularity).first_key();
+        limit_row(cam.radius_quantity() ? LimitedFigure::convex_radius : LimitedFigure::regularity)
+            .first_key();
     const std::string where = degrees_at(solution, summary.regularity.at);
     if (summary.cusp())
         return fmt::format(
@@ -35,13 +36,13 @@ std::string undercut_remark(const Solution& solution) {
             "rounds it.",
             where, limit);
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
-    return fmt::format("UNDERCUT at {} deg: {}; a limit {} of 0 or more prevents undercut.", where, words,
-                       limit);
+    return fmt::format("UNDERCUT at {} deg: {}; a limit {} of 0 or more prevents undercut.", where,
+                       presentation_of(solution.cam->cam).undercut(cam), limit);
 }
 
 /// Of a disk cam.
 std::string dimensions_at_their_ends(const Solution& solution) {
-    if (!solution.cam->cam.formulas->is_direct()) return {};
+    if (solution.cam->cam.formulas->direct() == nullptr) return {};
     const CamSpec& cam = solution.scene.cam.value();
     std::string text;
     for (std::size_t i = 0; i < cam.dimensions.size(); ++i) {
@@ -91,7 +92,7 @@ std::string smallest_remark(const Solution& solution, const SmallestCamReport& s
 
 /// Of a disk cam.
 std::string rest_of_the_turn(const Solution& solution) {
-    if (!solution.cam->cam.formulas->is_direct()) return {};
+    if (solution.cam->cam.formulas->direct() == nullptr) return {};
     const MotionSpec& motion = solution.scene.motion;
     const double angle = motion.length() * motion.unit_angle();
     const double rest = units::turn - angle;
@@ -191,21 +192,20 @@ std::string lift_off_remark(const Solution& solution, const ForceSummary& forces
 }
 
 std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {
-    const CamMechanism& cam = *solution.cam->cam.formulas;
+    const CamPresentation& presentation = presentation_of(solution.cam->cam);
     const std::string where = degrees_at(solution, check.at);
     if (!std::isfinite(check.deviation))
         return fmt::format("Forward check: at {} deg no point was found where the {} touches the cam.", where,
-                           cam.is_direct() ? "follower" : "roller");
+                           presentation.touching);
     const std::string found =
         fmt::format("{} {}",
                     check.relative <= moves_as_designed ? "moves as designed within"
                                                         : "DEPARTS from the designed motion by",
                     shown_units(solution.scene).motion[0].first.text(check.deviation, check_digits));
-    const std::string run = cam.check_words(check.points);
-    if (cam.is_direct())
-        return fmt::format("Forward check by points alone: {} {} ({} of the prime radius, at {} deg).", run,
-                           found, short_text(check.relative, check_digits), where);
-    return fmt::format("Forward check by points alone: {}: the output {} (at {} deg).", run, found, where);
+    return fmt::format(
+        "Forward check by points alone: {}.",
+        presentation.check(solution.cam->cam,
+                           {check.points, found, short_text(check.relative, check_digits), where}));
 }
 
 /// Of a cam that drives both ways.

@@ -196,14 +196,16 @@ std::vector<Curve> cam_curves(const View& view) {
     const CamSummary& summary = view.solution.cam->summary;
     // Each side of a cam that drives both ways has a curvature; disks on one shaft have pressure angles too.
     const int sides = static_cast<int>(summary.sides.size());
-    const bool two_disks = sides > 0 && !formulas.groove_wall(view.solution.cam->cam.dimensions);
+    const bool two_disks =
+        sides > 0 && formulas.limit_structure().binds(MechanismQuantity::pressure_numerator, sides - 1);
     std::vector<Curve> all;
     // A translating flat face has the pressure angle 0 everywhere: nothing to draw.
     if (summary.pressure_angle.value > 0.0)
         for (int side = 0; side < (two_disks ? sides : 1); ++side)
             all.push_back(pressure_curve(view, two_disks ? side : every_station));
-    if (!formulas.planar()) all.push_back(regularity_curve(view));
-    for (int side = 0; formulas.planar() && side < std::max(sides, 1); ++side)
+    const bool has_outline = formulas.radius_quantity().has_value();
+    if (!has_outline) all.push_back(regularity_curve(view));
+    for (int side = 0; has_outline && side < std::max(sides, 1); ++side)
         all.push_back(curvature_curve(view, sides > 0 ? side : every_station));
     add_loads(all, view);
     return all;

@@ -2,6 +2,7 @@
 #include "report/view/cam_words.hpp"
 
 #include "core/text/list_text.hpp"
+#include "report/view/cam_presentation.hpp"
 #include "report/view/key_words.hpp"
 #include "scene/limit_table.hpp"
 
@@ -103,7 +104,7 @@ bool is_told(const FigureRow<CamSummary>& row, const CamReport& cam) {
     if (row.name == nullptr) return false;
     const std::optional<CamExtreme>& back = cam.summary.return_pressure_angle;
     if (row.of_direct_cams) return back && back->value > 0.0;
-    return row.unit != &Units::number || !cam.cam.formulas->undercut_words().empty();
+    return row.unit != &Units::number || cam.cam.formulas->contact() != ContactKind::edge;
 }
 
 /// Both sides lean equally: what is common stands above.
@@ -126,7 +127,7 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
         if (number) number = (dimension.is_angle ? degrees_shown : millimetres_shown).of(*number);
         all.push_back({dimension.name, dimension.is_angle, number});
     }
-    if (cam->formulas()->is_direct()) all.push_back({"prime_radius", false, prime_radius(all)});
+    if (cam->formulas()->base_radius_index() >= 0) all.push_back({"prime_radius", false, prime_radius(all)});
     const ShownUnit length = shown_units(solution.scene).length;
     for (DimensionValue& one : all)
         one.text = !one.shown     ? "free"
@@ -136,10 +137,12 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
 }
 
 std::string cam_text(const CamSpec& cam) {
-    if (const auto formulas = cam.formulas(); formulas->is_direct()) {
-        const std::string form = formulas->form_words();
-        return fmt::format("{}{}{}, the cam turning {}", words_of(formulas->follower_name()),
-                           form.empty() ? "" : " ", form, name_of(cam.rotation));
+    const auto formulas = cam.formulas();
+    if (const DirectCam* const direct = formulas->direct()) {
+        const DirectCamDrawing drawing = direct->drawing(cam.middle());
+        const std::string form = form_words(drawing);
+        return fmt::format("{}{}{}, the cam turning {}", words_of(drawing.follower), form.empty() ? "" : " ",
+                           form, name_of(cam.rotation));
     }
     const auto follower = cam.choices.find("follower");
     const auto linkage = cam.choices.find("linkage");

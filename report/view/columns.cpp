@@ -201,7 +201,7 @@ Columns profile_columns(const Solution& solution) {
                  "normal_x",           "normal_y",
                  "pressure_angle_deg", "pitch_radius_mm",
                  "cam_radius_mm",      "regularity"};
-    if (!cam.has_pitch_curve()) keys.emplace_back("contact_offset_mm");
+    if (cam.radius_quantity() == MechanismQuantity::cam_radius) keys.emplace_back("contact_offset_mm");
     if (delivered_loads(solution) == nullptr) return columns_of(keys);
     keys.insert(keys.end(), {cam.swings() ? "moment_nm" : "force_n", "torque_nm", "normal_force_n"});
     if (solution.cam->summary.forces->hertz_pressure) keys.emplace_back("hertz_pressure_mpa");
@@ -217,9 +217,7 @@ Columns default_columns(const Solution& solution) {
 }
 
 bool has_plane_cam(const Solution& solution) {
-    if (!solution.cam) return false;
-    const CamMechanism& cam = *solution.cam->cam.formulas;
-    return cam.planar() && (cam.stations() == 1 || cam.is_direct());
+    return solution.cam && solution.cam->cam.formulas->radius_quantity();
 }
 
 }  // namespace camopt

@@ -27,8 +27,8 @@ constexpr const char* plane_only = "only with a cam that is a plane outline";
 /// Limits that only a cam which touches the output itself can have, or a plane one.
 Fault foreign_limit(const Scene& scene, const CamMechanism& cam) {
     for (const LimitRow& row : limit_rows())
-        if (row.in(scene.limits) && ((!cam.is_direct() && row.cams == LimitRow::Cams::disk) ||
-                                     (!cam.planar() && row.cams == LimitRow::Cams::planar)))
+        if (row.in(scene.limits) && ((cam.direct() == nullptr && row.cams == LimitRow::Cams::disk) ||
+                                     (!cam.radius_quantity() && row.cams == LimitRow::Cams::planar)))
             return SceneFault{fmt::format("limits.{}", row.name),
                               fmt::format("a limit that a cam of type \"{}\" does not have", cam.type()),
                               row.cams == LimitRow::Cams::planar ? plane_only : direct_only};
@@ -54,7 +54,7 @@ std::optional<SceneFault> CamMechanism::find_fault(const CamSpec& spec, const Mo
 Fault cam_fault(const Scene& scene) {
     if (!scene.cam) return std::nullopt;
     const auto formulas = scene.cam->formulas();
-    if (scene.forces && !formulas->is_direct())
+    if (scene.forces && formulas->direct() == nullptr)
         return SceneFault{"forces", fmt::format("forces with a cam of type \"{}\"", formulas->type()),
                           direct_only};
     if (Fault fault = foreign_limit(scene, *formulas)) return fault;

@@ -50,7 +50,8 @@ Fault follower_fault(const Scene& scene) {
             return SceneFault{
                 member, fmt::format("{} for the follower \"{}\"", row.refusal.found, cam.choice("follower")),
                 row.refusal.allowed};
-        if (row.figure == LimitedFigure::contact_force && formulas->drives_both_ways())
+        if (row.figure == LimitedFigure::contact_force && formulas->direct() != nullptr &&
+            formulas->stations() > 1)
             return SceneFault{
                 member, fmt::format("a least contact force for a cam of form \"{}\"", cam.choice("form")),
                 "only with cam.form = \"open\": this cam drives both ways"};

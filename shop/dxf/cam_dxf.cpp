@@ -36,7 +36,7 @@ std::vector<DxfStyle> styles_of(const ProfileShape& shape) {
                                                       {"second-pitch", "SECOND_PITCH", 5, dashed},
                                                       {"second-roller", "SECOND_ROLLER", 3},
                                                       {"open", "OPEN", 1, dashed}};
-    if (shape.formulas().is_direct()) styles.insert(styles.end(), of_disks);
+    if (shape.direct) styles.insert(styles.end(), of_disks);
     return styles;
 }
 
@@ -64,7 +64,7 @@ void add_follower(Drawing& drawing, const ProfileShape& shape, double reach) {
         if (part.kind == PartKind::circle)
             drawing.circle(leads ? "roller" : "second-roller", first, part.radius);
         if (part.kind == PartKind::face) from = first, to = last;
-        if (part.kind != PartKind::link || !leads || !shape.formulas().is_direct()) continue;
+        if (part.kind != PartKind::link || !leads || !shape.direct) continue;
         if (!shape.formulas().swings()) {
             drawing.line("axes", pitch, pitch + 0.5 * reach * (last - first).normalized());
             continue;
@@ -93,8 +93,9 @@ std::string drawing_claims(const Solution& solution, double tolerance, bool has_
 }  // namespace
 
 std::vector<FolderFile> dxf_files(const View& view, double tolerance) {
-    if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_plane_curve()) return {};
-    ProfileDxf drawn = cam_dxf(view, tolerance);
+    const std::optional<ProfileShape> shape = plane_shape(view);
+    if (!shape) return {};
+    ProfileDxf drawn = profile_dxf(*shape, tolerance);
     return {{drawn_profile, std::move(drawn.text)},
             {drawn_profile_check, drawing_claims(view.solution, tolerance, drawn.pitch_arcs > 0)}};
 }

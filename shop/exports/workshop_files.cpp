@@ -100,30 +100,35 @@ MadeFile made_mesh(const std::string& file, const DiskMesh& solid, const std::st
             solid.volume < solid.exact ? "less" : "more")};
 }
 
+/// A program's file without its suffix, and the key of what it departs from.
+struct ProgramName {
+    std::string file;
+    const char* departure;
+};
+
 /// Of the finishing pass: chords, printed digits and the stock that is left, with a tenth more as room for
 /// the proof; of every move: how deep it may enter the finished cam. "path_mm": of the cutter's axis, at
 /// either end of its working length.
-std::string program_claims(const std::string& name, const Solution& solution, const CheckedProgram& program,
+std::string program_claims(const ProgramName& name, const Solution& solution, const CheckedProgram& program,
                            const NcWork& work, double stock) {
     constexpr double room = 1.1, printed = 2e-8;  // m
     const NcPoseCheck& poses = program.poses;
     const double rounding = poses.tip_rounding + poses.axis_rounding * work.task.blocks.working_length;
     const double chords = room * (program.chord_deviation + rounding) + printed + stock;
-    const bool is_plane = solution.cam->cam.formulas->is_plane_curve();
     return export_check_json(solution, {{"camopt", version()},
                                         {"kind", "nc"},
-                                        {"file", name + ".nc"},
+                                        {"file", name.file + ".nc"},
                                         {"departure",
-                                         {{is_plane ? "profile_mm" : "path_mm", millimetres_shown.of(chords)},
+                                         {{name.departure, millimetres_shown.of(chords)},
                                           {"gouge_mm", millimetres_shown.of(program.most_depth)}}}});
 }
 
-ExportedProgram checked(const std::string& name, const Solution& solution, const NcWork& work,
+ExportedProgram checked(const ProgramName& name, const Solution& solution, const NcWork& work,
                         const Machine& machine, const NcChoice& choice) {
     PostProcessor post = generic_post(machine);
     if (!choice.post.empty()) post = read_post(choice.post, std::move(post));
     const CheckedProgram program = checked_program(machine, post, work);
-    return {name,
+    return {name.file,
             program.program.text,
             nc_check_text(program),
             tool_path_svg(program, work, machine, {work.job.title, shown_units(solution.scene).length}),
@@ -141,7 +146,7 @@ ExportedProgram program_of_flanks(const Solution& solution, const NcChoice& choi
     options.z_offset = choice.z_offset;
     options.rotary_speed = choice.rotary_speed;
     const auto machine = machine_for(cam, options.z_offset);
-    return checked("cam", solution,
+    return checked({"cam", "path_mm"}, solution,
                    nc_work(cam, follower_motion(turn, motion_scale(solution.scene)), options), *machine,
                    choice);
 }
@@ -156,7 +161,8 @@ ExportedProgram program_of_disk(const Solution& solution, const ProfileShape& sh
     options.thickness = drawing.thickness.value();
     options.groove_depth = drawing.groove_depth;
     const auto machine = plane_milling_machine();
-    return checked("cam" + piece_suffix(piece), solution, disk_nc_work(shape, options), *machine, choices.nc);
+    return checked({"cam" + piece_suffix(piece), "profile_mm"}, solution, disk_nc_work(shape, options),
+                   *machine, choices.nc);
 }
 
 std::string sheet_bytes(const Sheet& sheet, std::string_view format) {
@@ -176,7 +182,7 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
         if (!solution_.motion) return {};
         add_controllers();
         if (!solution_.cam) return std::move(files_);
-        if (solution_.cam->cam.formulas->is_plane_curve()) add_plane();
+        if (solution_.cam->cam.formulas->plane() != nullptr) add_plane();
         pieces_ = pieces_of(solution_);
         for (std::size_t i = 0; i < pieces_.size(); ++i) add_piece(i);
         if (has_flanks(solution_)) add_flanks();

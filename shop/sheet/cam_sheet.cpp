@@ -412,8 +412,9 @@ class CamSheetMaker {
     }
     /// "translating roller, roller radius 10 mm, offset 8 mm"
     [[nodiscard]] std::string follower_text() const {
-        std::string text = words_of(cam_.follower_name());
-        const std::vector<NamedDimension> all = cam_.named_dimensions(shape_.cam.dimensions);
+        const DirectCamDrawing& drawn = shape_.direct.value();
+        std::string text = words_of(drawn.follower);
+        const std::vector<NamedDimension>& all = drawn.dimensions;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (!all[i].of_form && static_cast<int>(i) != cam_.base_radius_index())
                 text += fmt::format(", {} {}", words_of(all[i].name), length_text(all[i].value));

@@ -53,8 +53,9 @@ ForwardCheckReport check_cam(const Solution& solution, std::optional<int> points
     const DrivenMechanism& cam = solution.cam->cam;
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    const int count = points.value_or(cam.formulas->is_direct() ? follower_points : linkage_points);
-    if (cam.formulas->drives_both_ways()) return two_sided_check(cam, motion, scale, count);
+    const std::optional<FollowerGeometry> follower = cam.formulas->follower(cam.dimensions, 0);
+    const int count = points.value_or(follower && follower->linkage ? linkage_points : follower_points);
+    if (cam.formulas->stations() > 1) return two_sided_check(cam, motion, scale, count);
     const ForwardCheckResult result = forward_check(forward_check_input(cam, motion, scale, count));
     return {result.deviation, result.relative, result.theta / scale.unit_angle, result.points,
             result.seconds};
@@ -83,7 +84,7 @@ double least_width(const ForwardCheckInput& inner, const ForwardCheckInput& oute
 ForwardCheckReport two_sided_check(const DrivenMechanism& mechanism, const Motion& motion,
                                    const MotionScale& scale, int points) {
     const CamMechanism& formulas = *mechanism.formulas;
-    if (!formulas.drives_both_ways())
+    if (formulas.stations() < 2)
         throw InputError(
             "a check of both sides needs a groove or a conjugate cam, and this cam has one side");
     const std::array<double, 2> fill = {formulas.surface_offset(mechanism.dimensions, 0),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/checked/checked_cam.hpp"
 
+#include "scene/cam_flanks.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -8,9 +9,11 @@
 namespace camopt {
 
 ForwardCheckReport checked_cam(const Solution& solution, std::optional<int> points) {
-    if (!solution.cam) return check_cam(solution, points);
-    if (has_flanks(solution)) return check_flanks(solution, points);
-    if (solution.cam->cam.formulas->has_guide()) return check_guide(solution, points);
+    if (solution.cam) {
+        const DrivenMechanism& cam = solution.cam->cam;
+        if (cam.formulas->flanks(cam.dimensions)) return check_flanks(solution, points);
+        if (cam.formulas->guide(cam.dimensions)) return check_guide(solution, points);
+    }
     return check_cam(solution, points);
 }
 

@@ -84,12 +84,13 @@ class Judge {
     std::size_t last_ = 0;
 };
 
-/// The base radii at which the cam can be built at rest with its other dimensions: CamMechanism::reach.
+/// The base radii at which the cam can be built at rest with its other dimensions: DirectCam::reach. The cam
+/// has a base radius.
 Interval allowed_radii(const DrivenMechanism& cam) {
     Interval radii(0.0, infinity);
-    for (const std::vector<CamMechanism::SignedIndex>& sum : cam.formulas->reach()) {
+    for (const std::vector<SignedIndex>& sum : cam.formulas->direct()->reach()) {
         double sign = 0.0, others = 0.0;  // sign · base + others < 0
-        for (const CamMechanism::SignedIndex& term : sum) {
+        for (const SignedIndex& term : sum) {
             if (term.dimension == cam.formulas->base_radius_index())
                 sign = term.sign;
             else

@@ -226,7 +226,8 @@ CamExtreme rest_pressure(const CamTurn& turn, const Scene& scene) {
 /// Of a direct cam; nothing to do for another. The summary has what every cam has.
 void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn,
                           const Scene& scene) {
-    if (!cam.formulas->is_direct()) return;
+    const DirectCam* const direct = cam.formulas->direct();
+    if (direct == nullptr) return;
     const auto angle = [](const CamPlace& place) { return std::abs(place.point.pressure_angle); };
     const double still = at_rest * scene.motion.lift / scene.motion.unit_angle();
     summary.rise_pressure_angle = turn.largest(
@@ -234,7 +235,7 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const
     summary.return_pressure_angle = turn.largest(
         [&](const CamPlace& place) { return place.state.velocity < -still ? angle(place) : 0.0; });
     summary.rest_pressure_angle = rest_pressure(turn, scene);
-    if (const double sense = cam.formulas->face_turn(); sense != 0.0) {
+    if (const double sense = direct->face_turn(); sense != 0.0) {
         const CamExtreme turning = least_turning(sense, turn);
         if (!(turning.value > 0.0)) set_turning_back(summary, turning);
     }
@@ -307,8 +308,8 @@ CamSummary summary_of(const DrivenMechanism& cam, const CamTurn& turn) {
     summary.pressure_angle =
         turn.largest([](const CamPlace& place) { return std::abs(place.point.pressure_angle); });
     summary.regularity = turn.least([](const CamPlace& place) { return place.point.regularity; });
-    if (cam.formulas->planar()) {
-        if (cam.formulas->has_pitch_curve())
+    if (const auto radii = cam.formulas->radius_quantity()) {
+        if (*radii == MechanismQuantity::pitch_curvature)
             add_radii_of_pitch(summary, cam, turn);
         else
             add_radii_of_face(summary, turn);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered.hpp"
 
+#include "scene/cam_flanks.hpp"
+
 #include <set>
 
 namespace camopt {
@@ -40,7 +42,7 @@ MotionChain cam_motion(const Solution& solution) {
 
 MotionChain drawn_motion(const Solution& solution) {
     MotionChain motion = cam_motion(solution);
-    const bool turns = solution.cam && !solution.cam->cam.formulas->has_guide();
+    const bool turns = solution.cam && !solution.cam->cam.formulas->guide(solution.cam->cam.dimensions);
     const double unit_angle = solution.scene.motion.unit_angle();
     const double rest = 0.5 * (units::turn / unit_angle - (motion.end() - motion.begin()));
     if (!turns || solution.scene.motion.type != MotionType::drd || !(rest > least_dwell / unit_angle))
@@ -156,7 +158,7 @@ std::vector<DeliveredRow> profile_rows(const Solution& solution, const Delivered
 }
 
 ProfileSampling default_sampling(const CamPoints& cam) {
-    if (cam.cam().formulas->is_direct()) return {};
+    if (cam.cam().formulas->direct() != nullptr) return {};
     const double turns = (cam.motion().end() - cam.motion().begin()) * cam.scale().unit_angle / units::turn;
     return {.count = 1 + static_cast<int>(std::ceil(points_a_turn * turns))};
 }

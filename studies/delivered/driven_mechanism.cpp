@@ -68,7 +68,7 @@ double normal_force(const DrivenMechanism& cam, const FollowerState& state, doub
 }
 
 int carrying_side(const CamMechanism& cam, double force) {
-    return cam.drives_both_ways() && force < 0.0 ? 1 : 0;
+    return cam.stations() > 1 && force < 0.0 ? 1 : 0;
 }
 
 double hertz_pressure(const DrivenMechanism& cam, const ForceSpec& forces, const MechanismPoint& point,

@@ -43,7 +43,7 @@ struct EnclosedLimit {
 //   normal force  F / lever, along the cam's normal (MechanismQuantity::normal_lever)
 //   Hertz         √(N E* κ / (π b)),  κ = 1/ρ_cam + 1/r: line contact over the width b
 //
-// The cam is direct (CamMechanism::is_direct). One that drives both ways carries F > 0 on its side 0, F < 0
+// The cam is direct (DirectCam). One that drives both ways carries F > 0 on its side 0, F < 0
 // on its side 1: the normal force is then that of the side that carries, >= 0. A side is a station.
 
 /// F / lever; on side 1 −F / lever. Of a cam that drives both ways < 0 where the other side carries.

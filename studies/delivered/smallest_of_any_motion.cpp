@@ -57,10 +57,16 @@ double least_coordinate(const Scene& scene, const GivenStroke& given, double off
     return std::max(least, 0.0);
 }
 
+/// None where the pressure angle has another formula (DirectCam).
+std::optional<double> pushed_offset(const DrivenMechanism& cam) {
+    const DirectCam* const direct = cam.formulas->direct();
+    return direct == nullptr ? std::nullopt : direct->pushed_offset(cam.dimensions);
+}
+
 /// What each stroke asks for; those without a limit are left out.
 std::vector<SmallestCamReport> smallest_of_strokes(const Scene& scene, const DrivenMechanism& cam) {
     std::vector<SmallestCamReport> all;
-    const std::optional<double> offset = cam.formulas->pushed_offset(cam.dimensions);
+    const std::optional<double> offset = pushed_offset(cam);
     if (!offset) return all;
     const PressureLimits limits = pressure_limits(scene.limits);
     const double prime_radius = cam.formulas->length(cam.dimensions);
@@ -84,7 +90,7 @@ std::optional<DrivenMechanism> largest_cam(const Scene& scene) {
         low.push_back(dimension.value.low);
         high.push_back(dimension.value.high);
     }
-    const bool offset_is_free = formulas->pushed_offset(low) != formulas->pushed_offset(high);
+    const bool offset_is_free = pushed_offset({formulas, low}) != pushed_offset({formulas, high});
     if (offset_is_free) return {};
     return DrivenMechanism{formulas, std::move(high)};
 }

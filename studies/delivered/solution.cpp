@@ -70,7 +70,6 @@ std::optional<double> delivered_dimension(const Solution& solution, DimensionInd
 
 LoadsAt delivered_loads(const Solution& solution) {
     if (!solution.cam || !solution.cam->summary.forces) return {};
-    if (!solution.cam->cam.formulas->is_direct()) return {};
     const MotionScale scale{solution.scene.motion.lift, solution.scene.motion.unit_angle()};
     const double speed = solution.scene.motion.speed.value();
     return [&solution, scale, speed](const MotionPoint& motion, const CamPoints& cam) {

@@ -76,7 +76,7 @@ double size_of(const CamSpec& cam, const CamDimension& dimension) {
 /// way.
 bool only_grows(const CamMechanism& formulas, const CamDimension& dimension) {
     return dimension.name == name_of(DimensionIndex::base_radius) && !formulas.swings() &&
-           !formulas.binds(MechanismQuantity::pressure_numerator, 1);
+           !formulas.limit_structure().binds(MechanismQuantity::pressure_numerator, 1);
 }
 
 std::optional<DimensionIndex> index_named(const std::string& name) {

@@ -116,7 +116,7 @@ CompareRow row_comparison(const Solution& nominal, const input::InspectedTable& 
             [motion](InspectedRow& row, const Vector4d& alignment) { compare_lift(motion, row, alignment); };
     }
     refuse(!nominal.cam, "points of a cam where the scene has no cam");
-    refuse(!nominal.cam->cam.formulas->is_direct(),
+    refuse(nominal.cam->cam.formulas->direct() == nullptr,
            fmt::format("points of a cam of type \"{}\", not \"disk\"", nominal.scene.cam->type));
     refuse(!motion.closed, fmt::format("points of an open cam ({})", open_because(nominal)));
     const DrivenMechanism& cam = nominal.cam->cam;

@@ -88,7 +88,7 @@ std::array<double, 2> nose_region(const Solution& solution) {
 /// is smooth where a radius is not.
 std::optional<Extremum> nose_radius(const Solution& solution, const CamPoints& points) {
     const DrivenMechanism& cam = points.cam();
-    const bool pitch = cam.formulas->has_pitch_curve();
+    const bool pitch = cam.formulas->radius_quantity() == MechanismQuantity::pitch_curvature;
     const auto [begin, end] = nose_region(solution);
     const Extremum sharpest =
         largest_along(pieces_between(points.motion(), begin, end), [&](double x, Side side) {

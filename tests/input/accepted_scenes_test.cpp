@@ -202,9 +202,11 @@ class ReachingMechanism final : public CamMechanism {
     [[nodiscard]] Rotation rotation() const override { return cam_->rotation(); }
     [[nodiscard]] int stations() const override { return cam_->stations(); }
     [[nodiscard]] std::string station_name(int station) const override { return cam_->station_name(station); }
-    [[nodiscard]] int roller_radius() const override { return cam_->roller_radius(); }
-    [[nodiscard]] bool planar() const override { return cam_->planar(); }
-    [[nodiscard]] bool is_direct() const override { return cam_->is_direct(); }
+    [[nodiscard]] int roller_radius_at(int station) const override { return cam_->roller_radius_at(station); }
+    [[nodiscard]] std::optional<MechanismQuantity> radius_quantity() const override {
+        return cam_->radius_quantity();
+    }
+    [[nodiscard]] const DirectCam* direct() const override { return cam_->direct(); }
     [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> numbers,
                                                            int station) const override {
         return cam_->follower(numbers, station);
@@ -220,9 +222,6 @@ class ReachingMechanism final : public CamMechanism {
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
                                        int station) const override {
         return cam_->point(theta, state, station);
-    }
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
-        return cam_->shapes(state);
     }
 
  private:

@@ -18,7 +18,7 @@ WORDS = (
     ("apps/export_options.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
     ("scene/keys/motion_rows.cpp", r'"type", text, plain, any, \{([^}]*)\}', "type of motion"),
     ("scene/keys/motion_rows.cpp", r'"kind", text, plain, any, \{([^}]*)\}', "kind of segment"),
-    ("profiles/kinds/cam_kinds.cpp", r"\b(\w+)_kind\(\)", "type of cam"),
+    ("profiles/kinds/kind_rows.hpp", r"\b(\w+)_kind\(\)", "type of cam"),
     ("scene/follower.hpp", r'\{FollowerType::\w+, ("\w+")', "follower"),
 )
 

@@ -105,7 +105,7 @@ PLANTED = [
      "Rise.Ends was skipped"),
     ("pairs", "report/b.cpp", SPDX + 'auto b = "new_chart.svg";\n', "the file new_chart.svg has no row"),
     ("pairs", "shop/plc/plc_formats.cpp", SPDX + 'auto b = {.key = "beckhoff"};\n', "the controller beckhoff has no row"),
-    ("pairs", "profiles/kinds/cam_kinds.cpp", SPDX + "auto b = {disk_kind(), linear_kind()};\n", "the type of cam linear has no row"),
+    ("pairs", "profiles/kinds/kind_rows.hpp", SPDX + "auto b = {disk_kind(), linear_kind()};\n", "the type of cam linear has no row"),
     ("pairs", "apps/more_commands.cpp", SPDX + 'auto b = program.add_subcommand(\n        "tolerances", "What");\n',
      "the command tolerances has no row"),
     ("pairs", "scene/keys/motion_rows.cpp", SPDX + 'auto b = {"motion", "type", text, plain, any, {"DRD", "cycle"}, "required"};\n',

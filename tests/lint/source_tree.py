@@ -23,7 +23,7 @@ MAY_INCLUDE = {
 # ask a cam through scene/cam_mechanism.hpp and know no kind.
 LEAVES = {"profiles/disk", "profiles/inverse", "profiles/remote", "profiles/spatial"}
 MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
-# What kinds of cams say of themselves, without formulas: readers and lists know no more of them.
+# The table of kinds: readers and lists link what kinds say of themselves, without formulas.
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
 MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles", "profiles/kinds"} | LEAVES

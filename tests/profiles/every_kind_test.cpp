@@ -263,7 +263,7 @@ TEST_P(EveryKind, HasItsQuantitiesEnclosedOverBoxes) {
         for (int k = 0; k < boxes; ++k) {
             const Box box = random_box(trial);
             const int station = trial.random_station();
-            const auto range = trial.formulas().quantity_over(which, box.over(), station);
+            const auto range = trial.formulas().enclosures()->quantity_over(which, box.over(), station);
             if (!range) {  // it has limits enclosed instead, in every box
                 ASSERT_EQ(k, 0) << "quantity " << static_cast<int>(which);
                 break;
@@ -293,14 +293,14 @@ std::vector<LimitForm> limit_forms(const CamMechanism& cam) {
     for (const int sign : {1, -1})
         all.push_back({sign > 0 ? "pressure angle above" : "pressure angle below",
                        [&cam, sign](const MechanismStateOver& state, int station) {
-                           return cam.pressure_over(angle, sign, state, station);
+                           return cam.enclosures()->pressure_over(angle, sign, state, station);
                        },
                        [&cam, sign](const MechanismState& state, int station) {
                            return cam.pressure_excess(angle, sign, state, station, {}).value;
                        }});
     all.push_back({"regularity",
                    [&cam](const MechanismStateOver& state, int station) {
-                       return cam.regularity_over(margin, state, station);
+                       return cam.enclosures()->regularity_over(margin, state, station);
                    },
                    [&cam](const MechanismState& state, int station) {
                        return margin - cam.quantity(regularity, state, station, {}).value;
@@ -308,14 +308,17 @@ std::vector<LimitForm> limit_forms(const CamMechanism& cam) {
     all.push_back(
         {"radius",
          [&cam](const MechanismStateOver& state, int station) {
-             return cam.radius_over(shift, state, station);
+             const int roller = cam.roller_radius_at(station);
+             RangeOver radius(shift);
+             if (roller >= 0) radius = state.dimensions[static_cast<std::size_t>(roller)] + radius;
+             return cam.enclosures()->radius_over(radius, state, station);
          },
          [&cam](const MechanismState& state, int station) {
              const int roller = cam.roller_radius_at(station);
              const double radius = roller < 0 ? 0.0 : state.dimensions[static_cast<std::size_t>(roller)];
              return (radius + shift) * cam.quantity(pitch_curvature, state, station, {}).value - 1.0;
          },
-         cam.planar() && cam.has_pitch_curve()});
+         cam.radius_quantity() == pitch_curvature});
     return all;
 }
 
@@ -499,7 +502,8 @@ TEST_P(EveryKind, IsEnclosedAlongStretches) {
                                   trial.between(0.0, 0.8) * GetParam().unit_angle,
                                   0.1 * GetParam().unit_angle * trial.random_width()};
             const int station = trial.random_station();
-            const auto range = trial.formulas().quantity_along(which, stretch.along(numbers), station);
+            const auto range =
+                trial.formulas().enclosures()->quantity_along(which, stretch.along(numbers), station);
             ASSERT_TRUE(range) << static_cast<int>(which);
             for (int place = 0; place < 3; ++place) {
                 const double x = trial.between(0.0, stretch.length);

@@ -113,8 +113,7 @@ void add_files(py::class_<SolvedScene>& type) {
         .def(
             "step",
             [](const SolvedScene& s, const py::kwargs& options) {
-                const bool plane = s.solution->cam && s.solution->cam->cam.formulas->is_plane_curve();
-                return text(s, plane ? "cam.step" : "flanks.step", options);
+                return text(s, step_name(*s.solution), options);
             },
             "STEP, as text, mm: a disk cam as a solid, the flanks of a three-dimensional cam as surfaces. "
             "Options bore_mm,\nthickness_mm. Raises UnavailableError in a build without Open CASCADE.")

@@ -90,7 +90,7 @@ std::string dxf(const SolvedScene& solved, double tolerance_mm) {
 }
 
 bool has_plane_cam(const SolvedScene& solved) {
-    return of(solved).cam && of(solved).cam->cam.formulas->is_plane_curve();
+    return !cam_file_list(of(solved)).empty();
 }
 
 std::string cam_picture(const SolvedScene& solved) {

@@ -187,7 +187,7 @@ Scene scene_of(const Case& which) {
     scene.cam->make = [formulas = which.formulas](const CamSpec&) { return formulas; };
     scene.limits.pressure_angle = WrittenLimit{30 * degree, "limits.pressure_angle_deg", degree, "deg"};
     scene.limits.undercut_margin = WrittenLimit{0.3, "limits.undercut_margin", 1.0, ""};
-    if (which.formulas->planar()) {
+    if (which.formulas->radius_quantity()) {
         scene.limits.cam_radius_min = WrittenLimit{0.01, "limits.cam_radius_min_mm", millimetre, "mm"};
         scene.limits.concave_radius_min =
             WrittenLimit{0.06, "limits.concave_radius_min_mm", millimetre, "mm"};

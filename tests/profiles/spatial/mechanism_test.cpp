@@ -154,10 +154,11 @@ TEST_P(SpatialMechanismOf, InactiveStationsAreImplied) {
         for (int station = 0; station < 2 * mechanism_heights; ++station) {
             const Row row(at, station);
             const double angle = std::abs(row.point().pressure_angle);
-            const bool binds = row.mechanism->binds(MechanismQuantity::pressure_numerator, station);
+            const bool binds =
+                row.mechanism->limit_structure().binds(MechanismQuantity::pressure_numerator, station);
             double& largest = binds ? bound : other;
             largest = std::max(largest, angle);
-            EXPECT_TRUE(row.mechanism->binds(MechanismQuantity::regularity, station));
+            EXPECT_TRUE(row.mechanism->limit_structure().binds(MechanismQuantity::regularity, station));
         }
         EXPECT_LE(other, bound + 1e-14);
     });
@@ -190,7 +191,7 @@ TEST(BarrelPressureAngle, IsConvexInNonrotatingDimensions) {
     const auto shape = [&](std::vector<SpatialNumber> moved) {
         std::vector<int> active;
         for (const SpatialNumber number : moved) active.push_back(static_cast<int>(number));
-        return barrel.mechanism->pressure_shape({}, {barrel.numbers, active}, -1e9, 1e9);
+        return barrel.mechanism->limit_structure().pressure_shape({}, {barrel.numbers, active}, -1e9, 1e9);
     };
     using enum SpatialNumber;
     EXPECT_EQ(shape({}), Curvature::convex);
@@ -235,7 +236,7 @@ TEST(SpatialSpec, KnowsItsKindsAndNoOther) {
         EXPECT_EQ(spatial_follower(spec), follower);
         EXPECT_EQ(spec.dimensions.size(), static_cast<std::size_t>(spatial_number_count));
         EXPECT_EQ(spatial_mechanism(spec)->swings(), swings(follower));
-        EXPECT_FALSE(spatial_mechanism(spec)->planar());
+        EXPECT_FALSE(spatial_mechanism(spec)->radius_quantity());
     }
     CamSpec other;
     other.type = "remote";

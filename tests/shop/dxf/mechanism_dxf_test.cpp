@@ -46,7 +46,7 @@ double largest_distance(const Solution& solution, int station, bool of_cam, cons
 
 TEST(MechanismDxf, RemoteCamIsOneClosedOutline) {
     const Solution solution = solved("tappet_75");
-    ASSERT_TRUE(solution.cam->cam.formulas->is_plane_curve());
+    ASSERT_NE(solution.cam->cam.formulas->plane(), nullptr);
     const ProfileDxf dxf = cam_dxf(solution);
     const auto outlines = on_layer(dxf.text, "CAM"), pitches = on_layer(dxf.text, "PITCH");
     ASSERT_EQ(outlines.size(), 1U);
@@ -73,7 +73,7 @@ TEST(MechanismDxf, AGuideHasBothWalls) {
 
 TEST(MechanismDxf, ADrumIsRefused) {
     const Solution solution = solved("cylinder_slide");
-    EXPECT_FALSE(solution.cam->cam.formulas->is_plane_curve());
+    EXPECT_EQ(solution.cam->cam.formulas->plane(), nullptr);
     EXPECT_EQ(refusal([&] { (void)cam_dxf(solution); }),
               "a drawing needs the cam of a plane mechanism, and this solution has none");
 }
