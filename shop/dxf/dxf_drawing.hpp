@@ -24,8 +24,8 @@ struct DxfLayer {
 
 /// What a style of a drawing is in a DXF file.
 struct DxfStyle {
-    const char* style;
-    const char* layer;
+    const char* style = "";
+    const char* layer = "";
     int color = 7;
     DxfLine line = DxfLine::continuous;
     bool filled = false;  ///< of triangles
