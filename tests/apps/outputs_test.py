@@ -78,7 +78,8 @@ def corners(text):
     found = {name: float(value) for name, value in re.findall(r'\b(x|y|font-size)="([-\d.]+)"', text)}
     words = html.unescape(re.search(r">(.*)</text>", text).group(1))
     width, height, low = 0.5 * found["font-size"] * len(words), 0.75 * found["font-size"], 0.2 * found["font-size"]
-    left = {"start": 0.0, "middle": -0.5 * width, "end": -width}[re.search(r'text-anchor="(\w+)"', text).group(1)]
+    anchor = re.search(r'class="[^"]*\b(middle|end)"', text)
+    left = {"middle": -0.5 * width, "end": -width}[anchor.group(1)] if anchor else 0.0
     turned = re.search(r"rotate\(([-\d.]+)", text)
     angle = math.radians(float(turned.group(1))) if turned else 0.0
     return words, [(found["x"] + u * math.cos(angle) - v * math.sin(angle), found["y"] + u * math.sin(angle) + v * math.cos(angle))

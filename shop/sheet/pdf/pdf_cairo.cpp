@@ -135,17 +135,18 @@ class PdfSheet {
     std::unique_ptr<cairo_t, CloseContext> context_;
 };
 
-constexpr PdfPart pdf_table = {[](const Sheet& sheet, const Drawing& drawing) {
-    const PdfSheet pdf(sheet);
-    for (const SheetStyle& style : sheet_styles)
-        for (const DrawnElement& element : drawing.elements)
-            std::visit(
-                [&](const auto& drawn) {
-                    if (drawn.style == style.name) pdf.draw(drawn, style.pen);
-                },
-                element);
-    return pdf.finish();
-}};
+constexpr PdfPart pdf_table = {
+    [](const Sheet& sheet, const Drawing& drawing, std::span<const SheetStyle> styles) {
+        const PdfSheet pdf(sheet);
+        for (const SheetStyle& style : styles)
+            for (const DrawnElement& element : drawing.elements)
+                std::visit(
+                    [&](const auto& drawn) {
+                        if (drawn.style == style.name) pdf.draw(drawn, style.pen);
+                    },
+                    element);
+        return pdf.finish();
+    }};
 
 }  // namespace
 

@@ -39,7 +39,7 @@ void require_pdf() {
 }
 
 std::string sheet_pdf(const Sheet& sheet) {
-    return pdf_part().page(sheet, drawing_with_marks(sheet));
+    return pdf_part().page(sheet, drawing_with_marks(sheet), sheet_styles);
 }
 
 }  // namespace camopt

@@ -117,7 +117,7 @@ class Test:
         root = xml.etree.ElementTree.parse(self.out / name).getroot()
         found = []
         for element in root.iter("{http://www.w3.org/2000/svg}text"):
-            height, anchor = float(element.get("font-size")), element.get("text-anchor")
+            height, anchor = float(element.get("font-size")), element.get("class").split()[-1]
             width = 0.62 * height * len(element.text)
             x, y = float(element.get("x")), float(element.get("y"))
             left = x - width if anchor == "end" else x - width / 2 if anchor == "middle" else x
