@@ -104,18 +104,6 @@ double finite_size(double value) {
     return std::isfinite(value) ? std::abs(value) : 0.0;
 }
 
-/// Of the quantity itself, SI; 0 where limit and reached value are all there is to measure by.
-double quantity_size(const Scene& scene, const CamReport* cam, const LimitRow& row) {
-    using enum LimitRow::Size;
-    if (row.needs_dynamics && scene.dynamics && row.size == one)  // the springs at the lift
-        return scene.dynamics->preload + scene.dynamics->return_stiffness * scene.motion.lift;
-    if (row.size == one) return 1.0;
-    if (cam != nullptr && row.size == base_radius) return finite_size(cam->summary.base_radius);
-    if (cam == nullptr || row.size != largest_force || !cam->summary.forces) return 0.0;
-    const ForceSummary& forces = *cam->summary.forces;
-    return std::max(finite_size(forces.largest_force.value), finite_size(forces.least_force.value));
-}
-
 }  // namespace
 
 std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const MotionChain& motion) {
@@ -183,6 +171,17 @@ std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures&
     add_symmetry(all, scene, figures.motion);
     add_end_jerk(all, scene, figures.motion);
     return all;
+}
+
+double quantity_size(const Scene& scene, const CamReport* cam, const LimitRow& row) {
+    using enum LimitRow::Size;
+    if (row.needs_dynamics && scene.dynamics && row.size == one)  // the springs at the lift
+        return scene.dynamics->preload + scene.dynamics->return_stiffness * scene.motion.lift;
+    if (row.size == one) return 1.0;
+    if (cam != nullptr && row.size == base_radius) return finite_size(cam->summary.base_radius);
+    if (cam == nullptr || row.size != largest_force || !cam->summary.forces) return 0.0;
+    const ForceSummary& forces = *cam->summary.forces;
+    return std::max(finite_size(forces.largest_force.value), finite_size(forces.least_force.value));
 }
 
 double limit_scale(const Scene& scene, const CamReport* cam, const ConstraintReport& report) {

@@ -7,6 +7,8 @@
 
 namespace camopt {
 
+struct LimitRow;
+
 /// A limit, an exact point or another condition of the scene, and what a motion makes of it.
 struct LimitOutcome {
     ConstraintReport reached;
@@ -53,6 +55,10 @@ struct MotionFigures {
 /// Of the scale. Solved limits are met to the tolerance of the solve, 1e-9 by default; what the tie-break
 /// leaves of an active limit is below 1e-6.
 inline constexpr double active_limit = 1e-6;
+
+/// Of the quantity that the row limits, SI; 0 where limit and reached value are all there is to measure by.
+/// `cam`: of the scene; null where there is none.
+[[nodiscard]] double quantity_size(const Scene& scene, const CamReport* cam, const LimitRow& row);
 
 /// In the unit of the report. `cam`: of the scene; null where there is none.
 [[nodiscard]] double limit_scale(const Scene& scene, const CamReport* cam, const ConstraintReport& report);

@@ -62,7 +62,7 @@ class ValueSearch {
             if (there > 0.0) return {between(value, there, inside, std::min(slack, 0.0)), value};
             inside = value;
             slack = there;
-            if (last) break;
+            if (last) return {inside, std::nullopt, true};
         }
         return {inside, std::nullopt};
     }

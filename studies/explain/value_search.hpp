@@ -61,7 +61,8 @@ class Budget {
 /// The last feasible value in one direction, ±1, from a feasible one on, and one beyond it that is not.
 struct FeasibleEdge {
     double inside = 0.0;
-    std::optional<double> outside = {};  ///< none: feasible up to `end`
+    std::optional<double> outside = {};  ///< none: `at_end`, or the search ended before it found one
+    bool at_end = false;                 ///< feasible up to `end`
 };
 [[nodiscard]] FeasibleEdge feasible_edge(const Scene& scene, const Adjustment& adjustment, double feasible,
                                          int direction, double end, const Budget& budget);

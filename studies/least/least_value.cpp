@@ -5,6 +5,7 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
+#include "studies/delivered/scene_limits.hpp"
 #include "studies/explain/value_search.hpp"
 #include "studies/least/monotone.hpp"
 #include "studies/search/planned_solve.hpp"
@@ -24,6 +25,7 @@ constexpr double reached_room = 1e-6;
 // Values found and proved lie up to half of the gap from the edge: a quarter of it, and a quarter for
 // rounding to a number that people can read.
 constexpr double part_of_gap = 0.25;
+constexpr double edge_accuracy = 1e-7;
 // Where a solve at such a value does not end as the search says: this much farther off, of the gap.
 constexpr double farther_off[] = {1.0, 4.0, 16.0, 100.0, 1000.0};
 // Of the time: for closing in on the edge, and for the motion there; the rest is for the proof.
@@ -106,7 +108,8 @@ double end_of(const Scene& scene, const SoughtNumber& sought) {
     if (!sought.change.limit) {
         const bool signed_number = sought.change.least < 0.0;
         if (sought.largest) return sought.change.most > given ? sought.change.most : infinity;
-        return signed_number ? sought.change.least : 0.0;
+        if (signed_number) return sought.change.least < given ? sought.change.least : -infinity;
+        return 0.0;
     }
     const LimitKey limit = limit_key(scene, sought.change.key);
     if (!limit || (limit.peak != nullptr && limit.peak->side != 0)) return direction * infinity;
@@ -197,6 +200,10 @@ class LeastSearch {
     [[nodiscard]] Scene scene_with(double value) const { return sought_.change.with(scene_, value); }
     [[nodiscard]] double size(double value) const { return std::max(std::abs(value), sought_.change.step); }
     [[nodiscard]] double gap() const { return asked_.objective.least_gap; }
+    /// Of the values found and proved from the edge, which is known to a part of the first step.
+    [[nodiscard]] double distance(double edge) const {
+        return std::max(part_of_gap * gap() * std::abs(edge), edge_accuracy * sought_.change.step);
+    }
 
     /// A value with a motion: what the motion of the scene reaches, its own, or the nearest to that.
     [[nodiscard]] std::optional<double> first_value() {
@@ -215,20 +222,26 @@ class LeastSearch {
     [[nodiscard]] std::optional<double> reached_by_a_motion() {
         const LimitKey limit = limit_key(scene_, sought_.change.key);
         if (!limit) return std::nullopt;
-        const Solution first = solve_without_explaining(scene_with(idle_value(scene_, limit)), control_,
-                                                        nullptr, {.look = true});
+        const double idle = idle_value(scene_, limit);
+        const Solution first = solve_without_explaining(scene_with(idle), control_, nullptr, {.look = true});
         for (const ConstraintReport& one : first.constraints)
             if (first.motion && one.key == sought_.change.key && std::isfinite(one.worst)) {
-                sought_.change.step = first_part_of(one.worst);
-                return one.worst - direction_ * reached_room * size(one.worst);
+                sought_.change.step = first_part_of(one.worst, limit, first.cam ? &*first.cam : nullptr);
+                const double room = one.worst - direction_ * reached_room * size(one.worst);
+                return sought_.largest ? std::max(room, idle) : std::min(room, idle);
             }
         return std::nullopt;
     }
-    /// The first step from a figure.
-    [[nodiscard]] double first_part_of(double worst) const {
+    /// The first step from a figure, which may be 0: a part of it, or of the quantity itself.
+    [[nodiscard]] double first_part_of(double worst, const LimitKey& limit, const CamReport* cam) const {
         constexpr double first_step = 0.02;
-        const double least = 1e-9 * std::abs(sought_.change.given);
-        return first_step * std::max(std::abs(worst), std::min(least, 1.0));
+        const double given = std::abs(sought_.change.given);
+        const double least = given > 0.0 ? std::min(1e-9 * given, 1.0) : 1.0;
+        const double unit =
+            limit.peak != nullptr
+                ? std::abs(one_normalised_peak(scene_.motion, limit.peak->order(), *limit.spelling))
+                : quantity_size(scene_, cam, *limit.row) / limit.spelling->factor;
+        return first_step * std::max({std::abs(worst), unit, least});
     }
 
     /// Of a number that is not monotone: whether values beyond the edge have motions again.
@@ -266,8 +279,8 @@ class LeastSearch {
     [[nodiscard]] Solution delivered(const FeasibleEdge& edge, LeastReport& report) const {
         Solution best;
         for (const double farther : farther_off) {
-            const double distance = part_of_gap * gap() * size(edge.inside) * farther;
-            report.value = edge.outside ? beyond(edge.inside, -direction_, distance) : edge.inside;
+            const double away = distance(edge.inside) * farther;
+            report.value = edge.outside ? beyond(edge.inside, -direction_, away) : edge.inside;
             say(fmt::format("{} = {:g}: solving", report.key, report.value));
             best = solve_without_explaining(scene_with(report.value), all_.part(motion_part).control(),
                                             nullptr, {.look = options_.look, .explain = options_.explain});
@@ -278,13 +291,13 @@ class LeastSearch {
 
     /// The nearest value without a motion that a solve proves.
     void prove(const FeasibleEdge& edge, LeastReport& report) const {
-        const double distance = part_of_gap * gap() * size(edge.inside);
+        const double away = distance(edge.inside);
         const bool at_end =
-            !edge.outside || find_fault(scene_with(beyond(edge.inside, direction_, distance)));
+            edge.at_end || (edge.outside && find_fault(scene_with(beyond(edge.inside, direction_, away))));
         if (at_end && sought_.monotone) report.verdict = Verdict::optimal;  // no scene has a value beyond
-        if (at_end || options_.look) return;
+        if (!edge.outside || at_end || options_.look) return;
         for (const double farther : farther_off) {
-            const double value = beyond(edge.inside, direction_, distance * farther);
+            const double value = beyond(edge.inside, direction_, away * farther);
             const Scene scene = scene_with(value);
             if (all_.spent() || find_fault(scene)) return;
             say(fmt::format("{} = {:g}: proving that no motion exists", report.key, value));
@@ -295,7 +308,8 @@ class LeastSearch {
                 if (std::ranges::find(report.limited_by, row.key) == report.limited_by.end())
                     report.limited_by.push_back(row.key);
             report.proof = std::make_shared<const Solution>(std::move(none));
-            const bool close = std::abs(report.value - value) <= gap() * size(report.value) * (1.0 + 1e-12);
+            const bool close =
+                std::abs(report.value - value) <= gap() * std::abs(report.value) * (1.0 + 1e-12);
             if (sought_.monotone) report.verdict = close ? Verdict::optimal : Verdict::feasible;
             return;
         }

@@ -25,6 +25,20 @@ bool limits_loads_beside_contact_force(const Scene& scene) {
 
 /// The follower is never below s = 0.
 bool stays_above_zero(const MotionSpec& motion) {
+    if (motion.valve) return true;  // a lobe only opens, then closes
+    const auto moves = [](const std::optional<SetPoint>& end) {
+        return end && end->velocity.value_or(0.0) != 0.0;
+    };
+    // Set points and ends in motion may take a stroke out of the range of its displacements.
+    if (!motion.via.empty() || moves(motion.start) || moves(motion.end)) return false;
+    const auto last = std::ranges::find_if(
+        motion.segments.rbegin(), motion.segments.rend(),
+        [](const ProgramSegment& segment) { return segment.kind != SegmentKind::dwell; });
+    for (const ProgramSegment& segment : motion.segments) {
+        const bool returns = motion.closed && last != motion.segments.rend() && &segment == &*last;
+        const bool is_free = segment.kind != SegmentKind::dwell && !segment.to && !returns;
+        if (is_free || !segment.via.empty() || moves(segment.end)) return false;
+    }
     return motion.within_lift && motion.displacements().first >= 0.0;
 }
 
