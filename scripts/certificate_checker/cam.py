@@ -194,8 +194,11 @@ class Cam:
     def linear_row(self, bound, k, run, name, formula, at, side):
         """A rule whose slopes are the same all over a box is linear; None where they differ."""
         box = [enclosures.interval(Fraction(-1), Fraction(1))] * 3 + [(0, 0)] + [(-enclosures.ONE, enclosures.ONE)] * len(self.searched)
-        if self.searched and self.sizes.get("offset") is not None:
-            self.rules.tangent_at = self.sizes["base_radius"] + self.sizes.get("roller_radius", 0), self.sizes["offset"]
+        if self.searched and self.rules.dimensions.get("offset"):
+            base, roller, offset = (self.tangent_size(size) for size in ("base_radius", "roller_radius", "offset"))
+            self.rules.tangent_at = base + roller, offset
+            if None in self.sizes.values():
+                bound.left_out.setdefault(name.partition(" at x")[0], Fraction(0))  # another tangent could say more
         try:
             found = enclosures.over_box(formula, box)
             still = enclosures.at_place(formula, [0] * len(box))
@@ -217,6 +220,11 @@ class Cam:
                 add_to(function, run.space.functional(at, i, side), middle)
             most += half * (bound.supremum[k][i] if i < 4 else 1)
         return Row(name, k, function, most, None, searched)
+
+    def tangent_size(self, name):
+        """Where tangents are taken: at what was found of a dimension; without a motion at the largest cam. Any place will do."""
+        size = self.sizes.get(name, Fraction(0))
+        return size if size is not None else sum(self.searched[name]) / 2 if name == "offset" else self.searched[name][1]
 
     # -- limits of the delivered motion
 

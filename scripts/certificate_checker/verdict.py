@@ -212,6 +212,8 @@ def judge_infeasible(problem, proof, report, vipr_path, cases=None, make=None):
     if value <= 0:
         if bound.left_out:
             raise Unverified("rows of " + ", ".join(sorted(bound.left_out)))
+        if value + bound.residual > 0:
+            raise Unverified(f"infeasibility by less than the rounding of the multipliers, {float(bound.residual):.1e}")
         raise Refuted("the multipliers do not prove that there is no motion")
     write_vipr(vipr_path, bound, problem, False, value)
     return []
