@@ -218,6 +218,9 @@ void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
 bool goes_by_time(const Scene& scene) {
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits); limit && limit->in_time()) return true;
+    for (const LimitRow& row : limit_rows())
+        if (row.needs_drive && row.in(scene.limits)) return true;
+    if (!scene.limits.motor_curve.empty()) return true;
     return scene.forces && limits_forces(scene.limits);
 }
 
