@@ -7,7 +7,7 @@ from .conditions import solved
 from .exact import Refuted, STATED, Unverified, largest_magnitude, number
 from .rational import Fraction
 
-MOST_BOXES = 4000
+MOST_BOXES = 40000
 SIGNS = [(a, b) for a in (1, -1) for b in (1, -1)]  # of the exponents of V and A in a term that is least there
 
 
@@ -130,7 +130,7 @@ def stationary(weights, peaks, used, active, caps):
                         matrix[row][other] += number(multipliers[column] * value * e[i] * e[j])
             matrix[count + column][size] += number(1 - sum(value for value, _ in rules[k]))
         step = solved(matrix)
-        if step is None or max(abs(s) for s in step) > 10**6:
+        if step is None or max(abs(s) for s in step) > 10**15:
             return None
         part = min(1.0, 0.5 / max(1e-300, max(abs(float(s)) for s in step[:count])))
         for i, s in zip(active, step):

@@ -11,6 +11,7 @@ module knows it where `shrinks` says so; elsewhere it confirms the two ends and 
 The folder holds the scene with `value` and its motion; its folder `least` the scene with `impossible`, its result and its
 certificate, which are judged like any other. The two scenes must be the same but for the number.
 """
+import copy
 import json
 import re
 import tomllib
@@ -49,12 +50,37 @@ def value_of(scene, key):
     return number(table.get(last, 0) if key.startswith(ABSENT) else table[last])
 
 
+def without_companions(scene, key):
+    """Without what changes along with an angle: the dwell that a segment's is taken from; with a rise its return and places on it."""
+    motion = scene["motion"]
+    if re.fullmatch(r"motion\.segments\[\d+\]\.angle_\w+", key):
+        changing = [(segment, ("angle_",)) for segment in motion["segments"] if segment["kind"] == "dwell"]
+    elif re.match(r"motion\.(rise|return)_", key):
+        changing = [(motion, ("return_",))] + [(point, ("at_", "from_", "to_")) for point in motion.get("via", [])]
+    else:
+        changing = []
+    for table, names in changing:
+        for name in [name for name in table if name.startswith(names)]:
+            del table[name]
+
+
 def differs_only_in(one, other, key):
     """Two scenes are the same without the number."""
     for scene in (one, other):
         table, last = member_of(scene, key)
         table[last] = None
-    return one == other
+        without_companions(scene, key)
+    return alike(one, other, SAME if key.startswith("motion.") else 0)
+
+
+def alike(one, other, room):
+    """Where a motion is changed, set points in units are converted anew, and rounded."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(alike(value, other[name], room) for name, value in one.items())
+    if isinstance(one, list) and isinstance(other, list):
+        return len(one) == len(other) and all(alike(*pair, room) for pair in zip(one, other))
+    numbers = all(isinstance(value, (int, Fraction)) and not isinstance(value, bool) for value in (one, other))
+    return abs(one - other) <= room * max(abs(one), abs(other)) if numbers else one == other
 
 
 def is_limit_of(key, names):
@@ -134,8 +160,7 @@ def judge_least(folder, scene, sought, result, judge_inner, report):
     other = tomllib.loads((folder / "least" / "scene.toml").read_text(), parse_float=parsed)
     if abs(value_of(other, key) - impossible) > SAME * max(abs(impossible), abs(value)):
         raise Refuted(f"{key} is {float(value_of(other, key))} in least/scene.toml, not {stated['impossible']}")
-    plain, _ = without_keys(scene)
-    if not differs_only_in(json.loads(json.dumps(plain, default=str)), json.loads(json.dumps(other, default=str)), key):
+    if not differs_only_in(copy.deepcopy(without_keys(scene)[0]), copy.deepcopy(other), key):
         raise Refuted(f"least/scene.toml differs in more than {key}")
     if json.loads((folder / "least" / "certificate.json").read_text())["verdict"] != "infeasible":
         raise Refuted("least/ does not say that there is no motion")
