@@ -28,7 +28,7 @@ from .rational import Fraction
 
 ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the file, relative: it was rounded outward
 SAME_ROW = Fraction(1, 10**9)  # a row of the scene is that of the file to this, relative to its size
-ROUNDED_ROW = Fraction(1, 10**14)  # of a row's value in doubles, which is about one
+ROUNDED_ROW = Fraction(1, 10**14)  # of a row's numbers in doubles, which are about one
 TOUCHING = Fraction(1, 10**6)  # a plane is pushed back by the square of this part of its size where it touches its rule
 LEAST_REACH = Fraction(1, 10**6)  # a cam nearer to the end of its reach, in parts of its longest dimension, is none
 SHORT = 2**150                 # sides are rounded up to parts of this
@@ -237,7 +237,8 @@ class BoxProof:
     def of_scene(self, step, index, function, most, factor=Fraction(1)):
         """A step that is function . x <= most but for rounding; of the row before it was taken times the factor."""
         step.side = most + greatest(difference(step.weights, function), self.box)
-        self.compare(step, index, factor * ROUNDED_ROW)
+        reach = max((abs(end) for j in function for end in self.box[j]), default=0)
+        self.compare(step, index, factor * ROUNDED_ROW * max(1, reach))
 
     def compare(self, step, index, rounded=Fraction(0)):
         size = max([Fraction(1)] + [abs(w) * max(map(abs, self.box[j])) for j, w in step.weights.items()])

@@ -79,7 +79,7 @@ def alike(one, other, room):
         return one.keys() == other.keys() and all(alike(value, other[name], room) for name, value in one.items())
     if isinstance(one, list) and isinstance(other, list):
         return len(one) == len(other) and all(alike(*pair, room) for pair in zip(one, other))
-    numbers = all(isinstance(value, (int, Fraction)) and not isinstance(value, bool) for value in (one, other))
+    numbers = all(isinstance(value, (int, type(SAME))) and not isinstance(value, bool) for value in (one, other))
     return abs(one - other) <= room * max(abs(one), abs(other)) if numbers else one == other
 
 
