@@ -223,7 +223,8 @@ class LeastSearch {
         const LimitKey limit = limit_key(scene_, sought_.change.key);
         if (!limit) return std::nullopt;
         const double idle = idle_value(scene_, limit);
-        const Solution first = solve_without_explaining(scene_with(idle), control_, nullptr, {.look = true});
+        const Solution first = solve_without_explaining(scene_with(idle), all_.part(search_part).control(),
+                                                        nullptr, {.look = true});
         for (const ConstraintReport& one : first.constraints)
             if (first.motion && one.key == sought_.change.key && std::isfinite(one.worst)) {
                 sought_.change.step = first_part_of(one.worst, limit, first.cam ? &*first.cam : nullptr);
