@@ -84,6 +84,17 @@ double idle_value(const Scene& scene, const LimitKey& limit) {
     return as_written(value / limit.spelling->factor);
 }
 
+/// Whether a limit that the scene gives of the same derivative leaves no place for it in a scene file, which
+/// has one of both sides, or one of each in the same unit.
+bool is_excluded(const Scene& scene, const LimitKey& limit) {
+    if (limit.peak == nullptr) return false;
+    return std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
+        const auto& given = row.in(scene.limits);
+        if (!given || &row == limit.peak || row.order() != limit.peak->order()) return false;
+        return row.side == 0 || limit.peak->side == 0 || given->unit != limit.spelling->unit;
+    });
+}
+
 /// The same as a change, for a limit that the scene does not give.
 Adjustment absent_limit(const Scene& scene, const std::string& key, const LimitKey& limit) {
     const double idle = idle_value(scene, limit);
@@ -334,6 +345,9 @@ std::optional<SoughtNumber> sought_number(const Scene& scene) {
     const std::vector<Adjustment> all = all_numbers(scene);
     if (const auto own = std::ranges::find(all, key, &Adjustment::key); own != all.end()) {
         sought.change = *own;
+    } else if (limit && is_excluded(scene, limit)) {
+        refuse(scene, member, fmt::format("\"{}\", beside another limit of this derivative", key),
+               sought.largest);
     } else if (limit) {
         const Adjustment absent = absent_limit(scene, key, limit);
         if (const auto fault = find_fault(absent.with(scene, absent.given)))
