@@ -346,7 +346,7 @@ std::optional<SoughtNumber> sought_number(const Scene& scene) {
     if (const auto own = std::ranges::find(all, key, &Adjustment::key); own != all.end()) {
         sought.change = *own;
     } else if (limit && is_excluded(scene, limit)) {
-        refuse(scene, member, fmt::format("\"{}\", beside another limit of this derivative", key),
+        refuse(scene, member, fmt::format("\"{}\", together with another limit of this derivative", key),
                sought.largest);
     } else if (limit) {
         const Adjustment absent = absent_limit(scene, key, limit);

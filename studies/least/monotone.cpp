@@ -56,7 +56,8 @@ bool contact_tightens_with_speed(const Scene& scene) {
 /// Every limit loosens as the base radius grows.
 bool loosens_with_base_radius(const Scene& scene) {
     const auto formulas = scene.cam->formulas();
-    if (formulas->swings() || formulas->limit_structure().binds(MechanismQuantity::pressure_numerator, 1)) return false;
+    if (formulas->swings() || formulas->limit_structure().binds(MechanismQuantity::pressure_numerator, 1))
+        return false;
     const bool flat = formulas->contact() == ContactKind::flat;
     return !has_limit(scene, [&](const LimitRow& row) {
         const bool pressure = row.figure == LimitedFigure::pressure_angle ||
