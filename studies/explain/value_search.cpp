@@ -51,7 +51,8 @@ class ValueSearch {
         return {};
     }
 
-    [[nodiscard]] FeasibleEdge edge(double feasible, int direction, double end) const {
+    [[nodiscard]] FeasibleEdge edge(double feasible, int direction, double end) {
+        of_any_angles_ = true;
         double inside = feasible, slack = violation_at(feasible);
         double step = adjustment_.step;
         for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
@@ -76,9 +77,11 @@ class ValueSearch {
     const Adjustment& adjustment_;
     double given_;
     const Budget& budget_;
+    bool of_any_angles_ = false;
 
     [[nodiscard]] double violation_at(double value) const {
-        return least_violation(adjustment_.with(scene_, value), budget_);
+        const Scene scene = adjustment_.with(scene_, value);
+        return of_any_angles_ ? violation_of_any(scene, budget_) : least_violation(scene, budget_);
     }
 
     /// The boundary between an infeasible and a feasible value, from the feasible side.
@@ -409,6 +412,11 @@ double least_violation(const Scene& scene, const Budget& budget) {
     const CamModel held =
         scene_model(scene, DesignKind::states, reference_peaks(scene), HeldStrokes{.held = true});
     return held.rules.size() == model.rules.size() ? necessary : least_violation(held, tolerance, budget);
+}
+
+double violation_of_any(const Scene& scene, const Budget& budget) {
+    if (!searches_angles(scene)) return least_violation(scene, budget);
+    return is_solved(scene, budget) ? 0.0 : infinity;
 }
 
 std::shared_ptr<const MotionChain> solved_motion(const Scene& scene, const Budget& budget) {

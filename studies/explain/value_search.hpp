@@ -35,6 +35,10 @@ class Budget {
 /// decides: then 0 or infinite.
 [[nodiscard]] double least_violation(const Scene& scene, const Budget& budget);
 
+/// The same of any angles that the scene lets the search choose, by a solve: 0 or infinite. least_violation
+/// takes the angles it would start from.
+[[nodiscard]] double violation_of_any(const Scene& scene, const Budget& budget);
+
 /// The motion that a solve of the scene ended with: optimal, local or feasible; null: none. By the backend
 /// that "auto" takes and without a proof that it is the best.
 [[nodiscard]] std::shared_ptr<const MotionChain> solved_motion(const Scene& scene, const Budget& budget);

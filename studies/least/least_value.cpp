@@ -17,9 +17,9 @@ namespace camopt {
 namespace {
 
 // A cap on a peak that limits nothing, by the peak of a motion from 0 to 1 over x from 0 to 1; and any other
-// cap, in SI: the first solve says what its motion reaches.
+// cap, in SI: the first solve says what its motion reaches. Far larger ones are no numbers to scale a row by.
 constexpr double idle_peak = 1e4;
-constexpr double idle_cap = 1e15;
+constexpr double idle_cap = 1e7, idle_pressure = 1e11;
 // A motion that reaches v satisfies a cap of v; this much farther off it does so to rounding, too.
 constexpr double reached_room = 1e-6;
 // Values found and proved lie up to half of the gap from the edge: a quarter of it, and a quarter for
@@ -28,6 +28,8 @@ constexpr double part_of_gap = 0.25;
 constexpr double edge_accuracy = 1e-7;
 // Where a solve at such a value does not end as the search says: this much farther off, of the gap.
 constexpr double farther_off[] = {1.0, 4.0, 16.0, 100.0, 1000.0};
+// Of a gap, at least: limits are met to the tolerance of the solve.
+constexpr double tolerances_of_gap = 10.0;
 // Of the time: for closing in on the edge, and for the motion there; the rest is for the proof.
 constexpr double search_part = 0.4, motion_part = 0.6;
 // Beyond the first edge of a number that is not monotone.
@@ -80,7 +82,8 @@ double idle_value(const Scene& scene, const LimitKey& limit) {
     const Range& range = limit.row->range;
     const double end = limit.is_least() ? range.low : range.high;
     const bool is_angle = !limit.is_least() && std::isfinite(end);
-    const double value = is_angle ? largest_pressure_angle : std::isfinite(end) ? end : sign * idle_cap;
+    const double idle = limit.spelling->quantity.pressure != 0 ? idle_pressure : idle_cap;
+    const double value = is_angle ? largest_pressure_angle : std::isfinite(end) ? end : sign * idle;
     return as_written(value / limit.spelling->factor);
 }
 
@@ -221,7 +224,7 @@ class LeastSearch {
         Adjustment& change = sought_.change;
         if (change.limit)
             if (const std::optional<double> reached = reached_by_a_motion()) return reached;
-        const double given = least_violation(scene_with(change.given), all_);
+        const double given = violation_of_any(scene_with(change.given), all_);
         if (given <= 0.0) return change.given;
         Adjustment back = change;
         (sought_.largest ? back.may_grow : back.may_shrink) = false;
@@ -264,7 +267,7 @@ class LeastSearch {
         for (int k = 0; k < scanned_values && !all_.spent(); ++k, step *= 2.0) {
             const double value = edge.inside + direction_ * step;
             if (direction_ * (value - end) >= 0.0) break;
-            if (least_violation(scene_with(value), all_) > 0.0) continue;
+            if (violation_of_any(scene_with(value), all_) > 0.0) continue;
             return scanned(
                 feasible_edge(scene_, sought_.change, value, direction_, end, all_.part(search_part)));
         }
@@ -333,6 +336,13 @@ class LeastSearch {
 std::optional<SoughtNumber> sought_number(const Scene& scene) {
     const ObjectiveSpec& objective = scene.objective;
     if (!objective.seeks_number()) return std::nullopt;
+    if (objective.least_gap < tolerances_of_gap * scene.solver.tolerance)
+        throw SceneError(
+            {"objective.least_gap",
+             fmt::format("{:g} with solver.tolerance = {:g}", objective.least_gap, scene.solver.tolerance),
+             fmt::format("{:g} or more: a limit is met to the tolerance, and the two values have to differ "
+                         "by more",
+                         tolerances_of_gap * scene.solver.tolerance)});
     SoughtNumber sought;
     sought.largest = objective.least.empty();
     const std::string& key = sought.largest ? objective.largest : objective.least;
