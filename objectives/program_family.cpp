@@ -278,18 +278,18 @@ namespace {
 /// Splines that join in motion, as peak_scales measures them.
 class Strokes {
  public:
-    explicit Strokes(const MotionSpec& motion)
-        : motion_(motion), levels_(given_levels(motion)), turning_(turning_segments(motion, {})) {}
+    explicit Strokes(const MotionSpec& motion) : motion_(motion), levels_(given_levels(motion)) {}
 
     [[nodiscard]] std::vector<StretchScale> scales() const {
         const std::size_t count = motion_.own_segments();
         std::vector<StretchScale> all(count);
-        std::size_t first = 0;  // a stroke begins with it; splines all around: any
+        std::size_t first = 0;
         while (first < count && !begins(first)) ++first;
+        const bool never_rests = first == count;
         for (std::size_t k = 0, size = 0; k < count; k += size) {
             const std::size_t begin = (first + k) % count;
             size = 1;
-            while (k + size < count && !begins((begin + size) % count)) ++size;
+            while (!never_rests && k + size < count && !begins((begin + size) % count)) ++size;
             const StretchScale scale = scale_of(begin, size);
             for (std::size_t i = 0; i < size; ++i) all[(begin + i) % count] = scale;
         }
@@ -299,16 +299,18 @@ class Strokes {
  private:
     const MotionSpec& motion_;
     std::vector<std::optional<double>> levels_;
-    std::vector<std::size_t> turning_;
 
     [[nodiscard]] bool begins(std::size_t segment) const {
         if (segment == 0 && !motion_.periodic()) return true;
-        const ProgramSegment& own = motion_.segments[segment];
-        const ProgramSegment& before =
-            motion_.segments[segment > 0 ? segment - 1 : motion_.own_segments() - 1];
+        const std::size_t last = segment > 0 ? segment - 1 : motion_.own_segments() - 1;
+        const ProgramSegment &own = motion_.segments[segment], &before = motion_.segments[last];
         if (own.kind != SegmentKind::spline || before.kind != SegmentKind::spline) return true;
         if (before.end && before.end->velocity == 0.0) return true;
-        return std::ranges::find(turning_, segment) != turning_.end();
+        // It turns back, or one of the two stands.
+        const std::optional<double> moves = moved(segment, segment + 1), moved_before = moved(last, last + 1);
+        if (!moves || !moved_before) return true;  // which of them a free displacement joins is open
+        return *moves * *moved_before < 0.0 ||
+               std::min(std::abs(*moves), std::abs(*moved_before)) < standing_displacement;
     }
     /// None: one of the two is free.
     [[nodiscard]] std::optional<double> moved(std::size_t from, std::size_t to) const {

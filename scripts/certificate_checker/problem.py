@@ -246,10 +246,14 @@ class Problem:
                 return True
             end = segments[before].get("end", {})
             width = self.stretches[before].end - self.stretches[before].begin
-            known = not self.stretches[before].free and not self.stretches[i].free
-            return (known and self.turns_back(segments, before, i)) or self.derivative_in_unit(end, "velocity", width) == 0
+            moved = [self.stated_levels[j + 1] - self.stated_levels[j] for j in (before, i)
+                     if None not in self.stated_levels[j:j + 2]]
+            parts = len(moved) < 2 or (moved[0] * moved[1] < 0 or min(map(abs, moved)) < Fraction(1, 10**9))
+            return parts or self.derivative_in_unit(end, "velocity", width) == 0
 
-        starts = [i for i in range(count) if begins(i)] or [0]
+        starts = [i for i in range(count) if begins(i)]
+        if not starts:  # a motion that never rests has no strokes
+            return
         for start, following in zip(starts, starts[1:] + [starts[0] + count]):
             if following - start > 1:
                 self.measure_stroke(start, following, count)

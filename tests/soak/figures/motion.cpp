@@ -144,7 +144,7 @@ std::vector<bool> given_levels(const SceneNumbers& scene) {
 }
 
 /// Neighbouring splines are one stroke, but where one rises and the other falls between displacements of the
-/// scene; of a closed program also the last and the first.
+/// scene, or stands; of a closed program also the last and the first. One that never rests has no strokes.
 void join_strokes(Motion& motion, bool closed, const std::vector<bool>& given) {
     std::vector<Stretch>& all = motion.stretches;
     const std::size_t count = all.size();
@@ -152,14 +152,16 @@ void join_strokes(Motion& motion, bool closed, const std::vector<bool>& given) {
         if (k == 0 && !closed) return true;
         const Stretch &own = all[k], &before = all[(k + count - 1) % count];
         if (own.kind != "spline" || before.kind != "spline") return true;
-        return !own.free && !before.free && (own.to - own.from) * (before.to - before.from) < 0;
+        const long double moved = own.to - own.from, earlier = before.to - before.from;
+        return own.free || before.free ||
+               (moved * earlier < 0 || std::min(std::abs(moved), std::abs(earlier)) < 1e-9L);
     };
     std::size_t first = 0;
     while (first < count && !begins(first)) ++first;
     for (std::size_t k = 0, size = 0; k < count; k += size) {
         const std::size_t begin = (first + k) % count;
         size = 1;
-        while (k + size < count && !begins((begin + size) % count)) ++size;
+        while (first < count && k + size < count && !begins((begin + size) % count)) ++size;
         if (size == 1) continue;
         const std::size_t last = (begin + size - 1) % count;
         long double angle = 0;

@@ -106,8 +106,9 @@ std::vector<std::array<double, 2>> stroke_measures(const Solution& solution) {
         const std::size_t before = (i + count - 1) % count;
         if (i == 0 && !solution.scene.motion.closed) return true;
         if (all[i].kind != SegmentKind::spline || all[before].kind != SegmentKind::spline) return true;
-        return given[before] && given[before + 1] && given[i] && given[i + 1] &&
-               (all[i].to - all[i].from) * (all[before].to - all[before].from) < 0.0;
+        const double own = all[i].to - all[i].from, last = all[before].to - all[before].from;
+        return !given[before] || !given[before + 1] || !given[i] || !given[i + 1] ||
+               (own * last < 0.0 || std::min(std::abs(own), std::abs(last)) < 1e-9);
     };
     std::size_t first = 0;
     while (first < count && !begins(first)) ++first;
@@ -115,7 +116,7 @@ std::vector<std::array<double, 2>> stroke_measures(const Solution& solution) {
     for (std::size_t k = 0, size = 0; k < count; k += size) {
         const std::size_t begin = (first + k) % count;
         size = 1;
-        while (k + size < count && !begins((begin + size) % count)) ++size;
+        while (first < count && k + size < count && !begins((begin + size) % count)) ++size;
         const std::size_t last = (begin + size - 1) % count;
         double angle = 0.0;
         for (std::size_t i = 0; i < size; ++i)
