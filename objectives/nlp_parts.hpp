@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Private to objectives/: shared by the problems on a grid and with free breakpoints.
+// Private to objectives/: shared by the problem on a grid and its points.
 #pragma once
 
 #include "core/nlp.hpp"

@@ -67,4 +67,24 @@ MotionFamily scene_family(const Scene& scene, DesignKind kind, const std::vector
     return DesignVector::make(spline_request(scene, kind));
 }
 
+std::vector<double> start_breakpoints(const Scene& scene) {
+    if (scene.motion.type == MotionType::program) return breakpoints_of(scene.spline, 0.0, 1.0, {});
+    return spline_request(scene, DesignKind::states).space.breakpoints();
+}
+
+std::vector<double> held_breakpoints(const Scene& scene) {
+    std::vector<double> held;
+    if (scene.motion.type == MotionType::program) return held;
+    for (const auto& [begin, end] : regions_of(scene.motion, placed_points(scene.motion), -1))
+        held.insert(held.end(), {begin, end});
+    return held;
+}
+
+Scene with_breakpoints(Scene scene, std::vector<double> breakpoints) {
+    scene.spline.breakpoints = std::move(breakpoints);
+    scene.spline.segments = static_cast<int>(scene.spline.breakpoints.size()) - 1;
+    scene.spline.free_knots = false;
+    return scene;
+}
+
 }  // namespace camopt

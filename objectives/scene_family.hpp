@@ -16,4 +16,13 @@ namespace camopt {
 [[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind,
                                         const std::vector<StrokeDirection>& of_free = {});
 
+/// The scene's own breakpoints, in the units of spline.breakpoints: where a search for free ones starts.
+[[nodiscard]] std::vector<double> start_breakpoints(const Scene& scene);
+
+/// Those of them that no search moves: ends of regions of DRD and RR.
+[[nodiscard]] std::vector<double> held_breakpoints(const Scene& scene);
+
+/// The scene on these breakpoints, which are not free.
+[[nodiscard]] Scene with_breakpoints(Scene scene, std::vector<double> breakpoints);
+
 }  // namespace camopt

@@ -195,7 +195,7 @@ struct SplineSpec {
     /// RR: half of the segments over the rise, half over the return, in place of uniform ones over both.
     bool by_stroke = false;
     std::vector<double> breakpoints;  ///< x, ascending, from 0 to length(); empty: uniform
-    /// The interior breakpoints are variables too: those above are where the search starts. DRD and RR only.
+    /// The interior breakpoints are variables too: those above are where the search starts.
     bool free_knots = false;
     std::optional<int> continuity;  ///< highest continuous derivative, 2 … degree − 1; default degree − 1
     EndJerk end_jerk = EndJerk::free;  ///< zero: y''' = 0 at both ends, degree 5 only

@@ -116,8 +116,6 @@ Fault drive_fault(const Scene& scene) {
                                       limits.motor_torque_max->given()),
                           "a least torque below the largest"};
     if (Fault fault = friction_fault(scene)) return fault;
-    if (!member.empty() && scene.spline.free_knots)
-        return SceneFault{member, "a figure of the motor with spline.knots = \"free\"", "fixed knots"};
     return cycle_fault(scene);
 }
 

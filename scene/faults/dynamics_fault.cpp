@@ -75,8 +75,6 @@ std::string asking_member(const Scene& scene) {
 
 Fault motion_for_response_fault(const Scene& scene) {
     const std::string member = asking_member(scene);
-    if (scene.spline.free_knots)
-        return SceneFault{member, "a response of the train with spline.knots = \"free\"", "fixed knots"};
     if (scene.motion.start || scene.motion.end || scene.motion.relative)
         return SceneFault{member, "a response of the train in a motion that does not start and end at rest",
                           "without motion.start, motion.end and closed = \"relative\""};

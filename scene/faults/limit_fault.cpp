@@ -93,12 +93,7 @@ Fault harmonic_fault(const Scene& scene) {
     if (given && (first < 1 || last < first || last > most_harmonic || last - first >= most_at_once))
         return SceneFault{"limits.spring_harmonics", fmt::format("harmonics from {} to {}", first, last),
                           fmt::format("at most {} harmonics from 1 to {}", most_at_once, most_harmonic)};
-    if (!limit) return std::nullopt;
-    if (Fault fault = limit_unit_fault(scene, LimitedFigure::spring_harmonic)) return fault;
-    if (scene.spline.free_knots)
-        return SceneFault{"limits.spring_harmonic", "a limit on harmonics with spline.knots = \"free\"",
-                          "fixed knots"};
-    return std::nullopt;
+    return limit ? limit_unit_fault(scene, LimitedFigure::spring_harmonic) : std::nullopt;
 }
 
 }  // namespace

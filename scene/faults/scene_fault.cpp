@@ -97,25 +97,6 @@ constexpr int most_free_segments = 256;
 Fault free_knot_fault(const Scene& scene) {
     const SplineSpec& spline = scene.spline;
     if (!spline.free_knots) return std::nullopt;
-    if (scene.motion.type == MotionType::program)
-        return SceneFault{"spline.knots", "\"free\" in a program",
-                          "\"fixed\", or motion type \"DRD\" or \"RR\""};
-    if (std::ranges::any_of(scene.motion.via, &SetPoint::is_region))
-        return SceneFault{"spline.knots", "\"free\" with a region of constant velocity, whose ends are knots",
-                          "\"fixed\", or exact points alone"};
-    const bool bounded = !scene.motion.corridors.empty() ||
-                         std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
-                             return row.side != 0 && row.in(scene.limits).has_value();
-                         });
-    const bool weighed = std::ranges::any_of(response_terms(), [&](const ResponseTerm& term) {
-        return !term.needs_dynamics() && !term.needs_drive() && term.weight_in(scene.objective) > 0.0;
-    });
-    if (bounded || scene.motion.start || scene.motion.end || weighed)
-        return SceneFault{
-            "spline.knots",
-            "\"free\" with motion.start, motion.end, a corridor, a limit of one side or a weight "
-            "of the area or of a deviation",
-            "\"fixed\""};
     const int segments =
         spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
     if (segments > most_free_segments)

@@ -56,7 +56,7 @@ Rows spline() {
          "program from 0 to 1, in units of each spline segment.", breakpoints_place(), Availability::now, "segments"},
         called("breakpoints", {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
-         "where the search starts. DRD and RR, at most 256 segments.",
+         "where the search starts, in a program the same for every spline segment. At most 256 segments.",
          knots_place()}),
         called("continuous derivatives", {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
          "Highest continuous derivative, from 2 to degree - 1.", stored_in(&Scene::spline, &SplineSpec::continuity)}),

@@ -463,8 +463,10 @@ class Problem:
         if self.free_breakpoints:
             if self.breakpoints_found is None:
                 raise Unverified("free breakpoints without a motion")
-            return self.breakpoints_found
-        given, width = self.spline.get("breakpoints"), end - begin
+            if self.type != "program":
+                return self.breakpoints_found
+        width = end - begin
+        given = self.breakpoints_found if self.free_breakpoints else self.spline.get("breakpoints")
         if given:
             given = [number(x) for x in given]
             widths = [b - a for a, b in zip(given, given[1:])]

@@ -82,7 +82,11 @@ def free_breakpoints(scene, result):
     """Those of the delivered motion where the scene leaves them free; else None."""
     if scene.get("spline", {}).get("knots") != "free" or not result["motion"]:
         return None
-    found = [number(x) for x in result["motion"]["curves"][0]["breakpoints"]]
+    if scene["motion"]["type"] == "program":  # parts of each segment
+        design = zip(result["design"]["names"], result["design"]["values"])
+        found = [number(0), *(number(value) for name, value in design if name.startswith("x[")), number(1)]
+    else:
+        found = [number(x) for x in result["motion"]["curves"][0]["breakpoints"]]
     if any(b <= a for a, b in zip(found, found[1:])) or found[0] != 0:
         raise Refuted("the breakpoints do not ascend")
     return found

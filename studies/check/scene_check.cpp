@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/check/scene_check.hpp"
 
-#include "objectives/free_knots/free_knot_problem.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/least/least_value.hpp"
@@ -253,14 +252,11 @@ SceneCheck check_scene(const Scene& scene) {
         check.redundant.push_back(conflict.condition);
     for (const ConditionConflict& conflict : problem.model().design.contradictions())
         check.contradictions.push_back(conflict.condition);
-    std::optional<FreeKnotProblem> free;  // what the search over breakpoints sees
-    if (check.plan.breakpoints > 0) free.emplace(posed.scene(), posed.reference);
-    const ContinuousProblem& solved = free ? static_cast<const ContinuousProblem&>(*free) : problem;
-    const NlpShape& shape = solved.grid().shape();
+    const NlpShape& shape = problem.grid().shape();
     check.variables = shape.variables();
     check.rows = shape.constraints();
     check.limits = limit_shapes(problem.model());
-    check.derivatives = derivative_errors(solved.grid(), check_point(solved));
+    check.derivatives = derivative_errors(problem.grid(), check_point(problem));
     check.derivatives_agree =
         std::ranges::all_of(check.derivatives, [](const DerivativeError& error) { return error.wrong == 0; });
     return check;

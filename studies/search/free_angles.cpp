@@ -176,6 +176,7 @@ class AngleSearch {
         scene.solver.name = "auto";
         scene.solver.options.clear();
         scene.spline.design = DesignKind::automatic;
+        scene.spline.free_knots = false;  // breakpoints are searched for the angles that are found
         scene.solver.max_seconds = seconds;
         return scene;
     }
@@ -343,7 +344,8 @@ class AngleSearch {
         certificate.verdict = for_given;
         if (for_given == Verdict::failed || for_given == Verdict::infeasible) return;
         const bool optimal = certificate.gap && *certificate.gap <= scene_.solver.wanted_gap();
-        const bool local = settled_ && best_angles_.size() == one_freedom && for_given <= Verdict::local;
+        const bool local = settled_ && best_angles_.size() == one_freedom && for_given <= Verdict::local &&
+                           !scene_.spline.free_knots;
         certificate.verdict = optimal ? Verdict::optimal : local ? Verdict::local : Verdict::feasible;
         certificate.reason = optimal ? Reason::none : local ? Reason::stationary : Reason::free_angles;
         if (!optimal && control_.stopped()) certificate.reason = Reason::interrupted;

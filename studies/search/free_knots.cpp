@@ -3,10 +3,11 @@
 
 #include "scene/limit_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/search/free_knot_descent.hpp"
-#include "studies/search/solve_motion.hpp"
+#include "studies/search/stroke_excursions.hpp"
 
 #include <fmt/format.h>
 
@@ -38,22 +39,27 @@ void mirror(std::vector<double>& points) {
     }
 }
 
-/// Of the whole motion; mirrored where it is symmetric.
+/// Between those that no search moves; mirrored where the motion is symmetric.
 std::vector<double> random_breakpoints(const Scene& scene, unsigned seed) {
     std::vector<double> points = start_breakpoints(scene);
+    const std::vector<double> held = held_breakpoints(scene);
     const std::size_t segments = points.size() - 1;
-    const double length = points.back();
     std::mt19937 engine(seed);
     std::vector<double> widths(segments);
-    double sum = 0.0;
     for (std::size_t i = 0; i < segments; ++i) {
         const bool repeat = scene.motion.symmetric && 2 * i >= segments;
         // Plain arithmetic on the engine: the standard's distributions differ from library to library.
         widths[i] = repeat ? widths[segments - 1 - i]
                            : shortest_random + static_cast<double>(engine()) / 4294967295.0;
-        sum += widths[i];
     }
-    for (std::size_t i = 0; i + 1 < segments; ++i) points[i + 1] = points[i] + widths[i] * length / sum;
+    for (std::size_t first = 0, last = 1; last <= segments; ++last) {
+        if (last < segments && std::ranges::find(held, points[last]) == held.end()) continue;
+        double sum = 0.0;
+        for (std::size_t i = first; i < last; ++i) sum += widths[i];
+        const double length = points[last] - points[first];
+        for (std::size_t i = first; i + 1 < last; ++i) points[i + 1] = points[i] + widths[i] * length / sum;
+        first = last;
+    }
     if (scene.motion.symmetric) mirror(points);
     return points;
 }
@@ -92,57 +98,89 @@ std::vector<int> parts_of(const std::vector<double>& ends, int segments, bool sy
 }
 
 bool limits_peaks_alone(const Scene& scene) {
-    return scene.motion.via.empty() && scene.own_limits.empty() &&
+    return scene.motion.via.empty() && scene.motion.corridors.empty() && scene.own_limits.empty() &&
            !(scene.cam && scene.cam->face_half_width) &&
+           std::ranges::none_of(
+               peak_limit_rows(),
+               [&](const PeakLimitRow& row) { return row.side != 0 && row.in(scene.limits).has_value(); }) &&
            std::ranges::none_of(limit_rows(),
                                 [&](const LimitRow& row) { return row.in(scene.limits).has_value(); });
 }
 
+/// Whether a motion of the search keeps to the ranges of its strokes.
+bool holds_strokes(const PlannedRun& run, const FreeKnotResult& found) {
+    const CamProblem& problem = *found.problem;
+    return !run.plan.strokes_first_free ||
+           !leaves_its_strokes(run.posed.scene(), problem.model().design, problem.motion(found.found.x));
+}
+
 struct FreeKnotSearch {
     FreeKnotResult best;
-    std::vector<double> breakpoints;
     int starts = 0, steps = 0, rounds = 0, iterations = 0;
     EvaluationCounts evaluations;
 };
 
-FreeKnotSearch search_breakpoints(const PlannedRun& run, const Solution& start, const SolveControl& control) {
-    const Scene& scene = run.posed.scene();
-    const CountingSolver solver(make_structured_solver());
-    FreeKnotOptions options;
-    options.exchange = exchange_options(scene);
-    options.exchange.backend.native.clear();  // they belong to the backend the user chose
-    options.tolerance = scene.solver.tolerance;
-    if (start.any_curve_limit) {
-        const double limit = start.any_curve_limit->objective;
-        options.enough = limit + nothing_left * scene.solver.wanted_gap() * std::max(1.0, limit);
+/// The starts one after the other, the first from the motion of `first`.
+class BreakpointSearch {
+ public:
+    BreakpointSearch(const PlannedRun& run, const Solution& first, const SolveControl& control)
+        : run_(run), scene_(run.posed.scene()), first_(first), control_(control) {
+        options_.exchange = exchange_options(scene_);
+        options_.exchange.backend.native.clear();  // they belong to the backend the user chose
+        options_.tolerance = scene_.solver.tolerance;
+        if (!first.any_curve_limit) return;
+        const double limit = first.any_curve_limit->objective;
+        options_.enough = limit + nothing_left * scene_.solver.wanted_gap() * std::max(1.0, limit);
     }
-    FreeKnotSearch search;
-    for (int k = 0; k < run.plan.starts; ++k) {
-        if (const std::optional<Termination> ending = control.ending()) {
-            search.best.termination = *ending;
-            break;
+
+    FreeKnotSearch run() {
+        for (int k = 0; k < run_.plan.starts; ++k) {
+            if (const std::optional<Termination> ending = control_.ending()) {
+                search_.best.termination = *ending;
+                break;
+            }
+            take(descent(k));
+            const Candidate& best = search_.best.found;
+            if (best.violation <= scene_.solver.tolerance && best.objective <= options_.enough) break;
         }
+        search_.evaluations = solver_.counts();
+        return std::move(search_);
+    }
+
+ private:
+    const PlannedRun& run_;
+    const Scene& scene_;
+    const Solution& first_;
+    const SolveControl& control_;
+    CountingSolver solver_{make_structured_solver()};
+    FreeKnotOptions options_;
+    HeldStrokes strokes_;
+    FreeKnotSearch search_;
+
+    FreeKnotResult descent(int index) {
         const std::vector<double> points =
-            k == 0 ? start_breakpoints(scene)
-                   : random_breakpoints(scene, run.plan.seed + static_cast<unsigned>(k));
-        FreeKnotProblem problem(with_breakpoints(scene, points), run.posed.reference);
-        FreeKnotResult result = descend(problem, problem.start(), solver, options, control);
-        ++search.starts;
-        search.steps += result.steps;
-        search.rounds += result.rounds;
-        search.iterations += result.iterations;
-        if (result.found.x.size() == 0) continue;
-        const bool first = search.best.found.x.size() == 0;
-        if (first || is_better(result.found, search.best.found, scene.solver.tolerance)) {
-            search.breakpoints = problem.breakpoints(result.found.x);
-            search.best = std::move(result);
-        }
-        const Candidate& best = search.best.found;
-        if (best.violation <= scene.solver.tolerance && best.objective <= options.enough) break;
+            index == 0 ? start_breakpoints(scene_)
+                       : random_breakpoints(scene_, run_.plan.seed + static_cast<unsigned>(index));
+        const MovingBreakpoints moving(scene_, run_.posed.reference, strokes_, points);
+        FreeKnotResult result =
+            descend(moving, index == 0 ? first_.motion.get() : nullptr, solver_, options_, control_);
+        search_.steps += result.steps;
+        search_.rounds += result.rounds;
+        search_.iterations += result.iterations;
+        if (strokes_.held || !run_.plan.strokes_first_free || result.found.x.size() == 0) return result;
+        if (holds_strokes(run_, result)) return result;
+        strokes_.held = true;
+        return descent(index);
     }
-    search.evaluations = solver.counts();
-    return search;
-}
+
+    void take(FreeKnotResult result) {
+        ++search_.starts;
+        if (result.found.x.size() == 0) return;
+        const bool first = search_.best.found.x.size() == 0;
+        if (first || is_better(result.found, search_.best.found, scene_.solver.tolerance))
+            search_.best = std::move(result);
+    }
+};
 
 void add(EvaluationCounts& to, const EvaluationCounts& more) {
     to.cost += more.cost;
@@ -207,12 +245,24 @@ void report_search(Solution& solution, const FreeKnotSearch& search, const Scene
                                              how, solution.solver.choice);
 }
 
-void report_breakpoints(Solution& solution) {
-    if (!solution.curve) return;
-    const std::vector<double>& points = solution.curve->space().breakpoints();
+void report_breakpoints(Solution& solution, const std::vector<double>& points) {
+    if (!solution.motion) return;
     std::vector<std::string> names;
     for (std::size_t k = 1; k + 1 < points.size(); ++k) names.push_back(fmt::format("x[{}]", k));
     add_to_design(solution, std::move(names), std::span(points).subspan(1, points.size() - 2));
+}
+
+/// The motion that a search ended at, where no time is left to solve on its breakpoints.
+void deliver_found(Solution& solution, const FreeKnotResult& found) {
+    withdraw_motion(solution);
+    solution.design.names.clear();
+    solution.conflict.clear();
+    solution.certificate.objective = found.found.objective;
+    solution.certificate.worst_violation = found.found.violation;
+    solution.certificate.verdict = Verdict::feasible;
+    solution.certificate.gap.reset();
+    solution.family = found.problem->family();
+    report_motion(solution, *found.problem, found.found.x);
 }
 
 /// On the switching points of the limit curve, if they make an optimum.
@@ -228,6 +278,7 @@ std::optional<Solution> solve_on_limit_curve(const PlannedRun& run, const SolveS
                   "they are the switching points of the best of all curves",
                   "free breakpoints: the switching points of the curve that reaches the limit of any curve");
     if (solution.certificate.verdict != Verdict::optimal) return {};
+    report_breakpoints(solution, points);
     return solution;
 }
 
@@ -255,29 +306,40 @@ Solution solve_free_knots(const PlannedRun& run, const SolveScene& solve) {
     const SolveControl& control = run.control;
     const Stopwatch watch;
     if (std::optional<Solution> solution = solve_on_limit_curve(run, solve)) {
-        report_breakpoints(*solution);
         solution->seconds_total = solution->seconds_solve = watch.seconds();
         return std::move(*solution);
     }
-    Solution solution = solve(with_breakpoints(scene, start_breakpoints(scene)), control);
+    std::vector<double> points = start_breakpoints(scene);
+    Solution solution = solve(with_breakpoints(scene, points), control);
     double at_start = infinity;
     if (is_delivered(solution)) at_start = solution.certificate.objective;
     const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
     FreeKnotSearch search;
-    if (!no_motion_keeps_all_caps(scene))
-        search = search_breakpoints(run, solution, control.sooner(searching));
-    const bool found = search.best.found.x.size() > 0 &&
-                       search.best.found.violation <= scene.solver.tolerance &&
-                       search.best.found.objective < at_start;
-    if (found) {
-        Solution better = solve(with_breakpoints(scene, search.breakpoints), control);
-        if (!is_delivered(better)) {
+    if (!no_motion_keeps_all_caps(scene)) {
+        const SolveControl timed = control.sooner(searching);
+        search = BreakpointSearch(run, solution, timed).run();
+    }
+    const FreeKnotResult& best = search.best;
+    if (best.found.x.size() > 0 && best.found.violation <= scene.solver.tolerance &&
+        best.found.objective < at_start) {
+        Solution better = solve(with_breakpoints(scene, best.breakpoints), control);
+        add(better.evaluations, solution.evaluations);
+        const double allowance = scene.solver.wanted_gap() * std::max(1.0, std::abs(best.found.objective));
+        if (is_delivered(better) && better.certificate.objective <= best.found.objective + allowance) {
+            if (better.certificate.objective < at_start) {
+                solution = std::move(better);
+                points = best.breakpoints;
+            }
+        } else if (holds_strokes(run, best)) {
+            // Stopped, or a problem that is not convex, of which the search found a better minimum.
+            deliver_found(solution, best);
+            solution.evaluations = better.evaluations;
+            points = best.breakpoints;
+            search.best.termination = control.ending().value_or(best.termination);
+        } else {
             // What is delivered is another motion, of which the search says nothing.
             search.best.stationarity = infinity;
             search.best.termination = control.ending().value_or(Termination::numerical_failure);
-        } else if (better.certificate.objective < at_start) {
-            add(better.evaluations, solution.evaluations);
-            solution = std::move(better);
         }
     }
     add(solution.evaluations, search.evaluations);
@@ -289,25 +351,9 @@ Solution solve_free_knots(const PlannedRun& run, const SolveScene& solve) {
                     "first breakpoints",
                     search.starts, search.steps,
                     at_start < infinity ? fmt::format("{:.9g}", at_start) : std::string("unknown")));
-    report_breakpoints(solution);
+    report_breakpoints(solution, points);
     solution.seconds_total = solution.seconds_solve = watch.seconds();
     return solution;
-}
-
-Solution solve_held_on_breakpoints(const Scene& scene, const Solution& first, const SolveControl& control) {
-    const Scene fixed = with_breakpoints(scene, first.curve->space().breakpoints());
-    Solution held = solve_with_strokes(fixed, {.held = true}, control);
-    held.scene = scene;
-    if (held.certificate.verdict == Verdict::infeasible) {
-        held.certificate.verdict = Verdict::failed;
-        held.certificate.reason = Reason::no_feasible_point;
-    }
-    if (held.certificate.verdict == Verdict::optimal) {
-        held.certificate.verdict = Verdict::feasible;  // of these breakpoints alone
-        held.certificate.reason = Reason::converged;
-    }
-    forget_proof(held.certificate);
-    return held;
 }
 
 }  // namespace camopt

@@ -21,8 +21,4 @@ namespace camopt {
 /// reaches it, more than peaks is limited, or the spline is too smooth or has too few segments.
 [[nodiscard]] std::vector<double> limit_breakpoints(const Scene& scene, const Peaks& reference);
 
-/// Where the best breakpoints make a motion that leaves its lift: the best one on them that does not.
-[[nodiscard]] Solution solve_held_on_breakpoints(const Scene& scene, const Solution& first,
-                                                 const SolveControl& control);
-
 }  // namespace camopt

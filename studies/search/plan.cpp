@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/plan.hpp"
 
-#include "objectives/free_knots/free_knot_problem.hpp"
+#include "objectives/scene_family.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
@@ -48,7 +48,9 @@ void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
         static_cast<int>(std::ranges::count_if(scene.motion.segments, [](const ProgramSegment& segment) {
             return segment.angle_range.has_value();
         }));
-    if (scene.spline.free_knots) plan.breakpoints = static_cast<int>(start_breakpoints(scene).size()) - 2;
+    if (scene.spline.free_knots && !scene.motion.prescribed())
+        plan.breakpoints =
+            static_cast<int>(start_breakpoints(scene).size() - held_breakpoints(scene).size()) - 2;
     plan.displacements =
         static_cast<int>(free_displacements(posed.scene(), posed.model.design).joints.size());
     plan.dimensions = static_cast<int>(
@@ -56,7 +58,8 @@ void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
 }
 
 ProofKind planned_proof(const SolvePlan& plan, const PosedScene& posed, bool general) {
-    if (plan.angles > 0) return bounds_by_angles(posed.given) ? ProofKind::boxes : ProofKind::none;
+    if (plan.angles > 0)
+        return plan.breakpoints == 0 && bounds_by_angles(posed.given) ? ProofKind::boxes : ProofKind::none;
     if (plan.breakpoints > 0)
         return limit_curve(posed.scene(), posed.reference) ? ProofKind::any_curve_limit : ProofKind::none;
     if (!general) return ProofKind::duality;
@@ -84,7 +87,7 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     plan_searched_numbers(plan, posed);
     plan_solver(plan, scene, general);
     plan.design = design_of(scene);
-    plan.contradiction = !model.design.contradictions().empty();
+    plan.contradiction = plan.breakpoints == 0 && !model.design.contradictions().empty();
     plan.cost_scale = posed.scale.factor();
     plan.strokes_first_free =
         (scene.motion.within_lift || scene.motion.monotone) && !scene.motion.prescribed();

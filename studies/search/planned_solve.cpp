@@ -115,10 +115,10 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
                                                             })
                                          : solve_motion(run);
         const bool unbounded = solution.certificate.reason == Reason::unbounded;  // a lost area may be
-        if (plan->strokes_first_free && (leaves_strokes || unbounded || leaves_its_strokes(solution))) {
+        // Of free breakpoints those of every solve hold their strokes.
+        if (may_end && (leaves_strokes || unbounded || leaves_its_strokes(solution))) {
             run.known.optima.withdraw();
-            Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
-                                                  : solve_held_strokes(posed.scene(), timed);
+            Solution held = solve_held_strokes(posed.scene(), timed);
             take_bound_of_relaxation(held, solution);
             solution = std::move(held);
         }

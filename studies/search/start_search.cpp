@@ -41,29 +41,6 @@ Eigen::VectorXd padded(const Eigen::VectorXd& multipliers, int rows) {
     return all;
 }
 
-/// The entries whose motion is nearest to another one, of the same space written otherwise.
-Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motion) {
-    std::vector<AffineRow> rows;
-    std::vector<double> values;
-    for (const MotionFamily::Piece& piece : family.pieces()) {
-        for (int k = 0; k <= samples_a_piece; ++k) {
-            const double x = piece.begin + (piece.end - piece.begin) * k / samples_a_piece;
-            const Side side = k < samples_a_piece ? Side::right : Side::left;
-            const MotionPoint point = motion.at(x, side);
-            for (int order = 0; order < 3; ++order) {
-                rows.push_back(family.functional(x, order, side));
-                values.push_back(point.derivative[static_cast<std::size_t>(order)] - rows.back().offset);
-            }
-        }
-    }
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), family.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < rows[i].columns.size(); ++k)
-            matrix(static_cast<Eigen::Index>(i), rows[i].columns[k]) = rows[i].weights[k];
-    const Eigen::Map<const Eigen::VectorXd> right(values.data(), matrix.rows());
-    return matrix.completeOrthogonalDecomposition().solve(right);
-}
-
 /// What a relaxation gives. `settled`: the answer of the whole already.
 struct Relaxed {
     ContinuousResult result;
@@ -331,6 +308,28 @@ class GeneralSolve {
 };
 
 }  // namespace
+
+Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motion) {
+    std::vector<AffineRow> rows;
+    std::vector<double> values;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        for (int k = 0; k <= samples_a_piece; ++k) {
+            const double x = piece.begin + (piece.end - piece.begin) * k / samples_a_piece;
+            const Side side = k < samples_a_piece ? Side::right : Side::left;
+            const MotionPoint point = motion.at(x, side);
+            for (int order = 0; order < 3; ++order) {
+                rows.push_back(family.functional(x, order, side));
+                values.push_back(point.derivative[static_cast<std::size_t>(order)] - rows.back().offset);
+            }
+        }
+    }
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), family.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t k = 0; k < rows[i].columns.size(); ++k)
+            matrix(static_cast<Eigen::Index>(i), rows[i].columns[k]) = rows[i].weights[k];
+    const Eigen::Map<const Eigen::VectorXd> right(values.data(), matrix.rows());
+    return matrix.completeOrthogonalDecomposition().solve(right);
+}
 
 void StartSearch::run(int first, int end, unsigned seed, const Eigen::VectorXd& relaxed) {
     for (int k = first; k < end && !ends(k); ++k) run_from(start_of(k, seed, relaxed));

@@ -16,6 +16,9 @@
 
 namespace camopt {
 
+/// The entries whose motion is nearest to another one, of the same space written otherwise.
+[[nodiscard]] Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motion);
+
 /// One search, and the multipliers of its last grid.
 struct SearchState {
     Candidate found;

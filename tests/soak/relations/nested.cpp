@@ -60,7 +60,7 @@ Finding compare_smoothness(Trial& trial) {
 Finding compare_freed(Trial& trial) {
     const SceneNumbers& numbers = trial.numbers();
     const bool small = numbers.breakpoints.size() <= 9 && numbers.spline_segments <= 8;
-    if (numbers.is_program() || numbers.free_knots || !small || trial.has_cam()) return no_case;
+    if (numbers.free_knots || !small || trial.has_cam()) return no_case;
     SceneText freed = trial.text();
     freed.at("spline").set("knots", quoted("free"));
     freed.at("solver").set("starts", "1");
