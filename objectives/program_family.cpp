@@ -285,7 +285,7 @@ class Strokes {
         std::vector<StretchScale> all(count);
         std::size_t first = 0;
         while (first < count && !begins(first)) ++first;
-        const bool never_rests = first == count;
+        const bool never_rests = first == count || advances();
         for (std::size_t k = 0, size = 0; k < count; k += size) {
             const std::size_t begin = (first + k) % count;
             size = 1;
@@ -300,6 +300,12 @@ class Strokes {
     const MotionSpec& motion_;
     std::vector<std::optional<double>> levels_;
 
+    /// Splines alone, which go on in the next turn from where they are.
+    [[nodiscard]] bool advances() const {
+        return motion_.relative && std::ranges::all_of(motion_.segments, [](const ProgramSegment& segment) {
+                   return segment.kind == SegmentKind::spline;
+               });
+    }
     [[nodiscard]] bool begins(std::size_t segment) const {
         if (segment == 0 && !motion_.periodic()) return true;
         const std::size_t last = segment > 0 ? segment - 1 : motion_.own_segments() - 1;

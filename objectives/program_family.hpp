@@ -21,8 +21,9 @@ namespace camopt {
 ///   strokes: angle and displacement of its stroke. A stroke is a spline, or several between given
 ///            displacements that join in motion: it begins after a dwell or a law, where the motion turns
 ///            back, beside a spline that stands or ends at a free displacement, at an `end` of velocity 0 and
-///            where the motion begins. Measured by the lift where its displacement is 0 or free. Of a motion
-///            that never rests each spline. Laws and dwells: their own.
+///            where the motion begins. Measured by the lift where its displacement is 0 or free. Each spline
+///            where there is no such place, and in a relative motion of splines alone. Laws and dwells: their
+///            own.
 ///   motion:  all by the lift and the unit angle.
 /// One a segment; none: DRD and RR, all 1.
 [[nodiscard]] std::vector<StretchScale> peak_scales(const Scene& scene);

@@ -252,8 +252,8 @@ class Problem:
             return parts or self.derivative_in_unit(end, "velocity", width) == 0
 
         starts = [i for i in range(count) if begins(i)]
-        if not starts:  # a motion that never rests has no strokes
-            return
+        if not starts or self.motion.get("closed") == "relative" and all(one["kind"] == "spline" for one in segments):
+            return  # a motion that never rests has no strokes, nor has one of splines alone that goes on and on
         for start, following in zip(starts, starts[1:] + [starts[0] + count]):
             if following - start > 1:
                 self.measure_stroke(start, following, count)
