@@ -23,7 +23,7 @@ HERE = pathlib.Path(__file__).parent
 # Every page of the tree is in one of them; a page that is in none is an error (missing_pages).
 SECTIONS = [
     ("Start", ["try", "install", "README", "designs", "gallery/index"]),
-    ("Scenes and results", ["scene_file", "reference/scene", "programs", "results", "report", "compare", "sweep", "scale"]),
+    ("Scenes and results", ["scene_file", "reference/scene", "programs", "least_value", "results", "report", "compare", "sweep", "scale"]),
     ("Cams", ["cams", "drawing", "nc", "measured", "inspect"]),
     ("Applications", ["valves", "servo", "plc", "machines", "theory/elastic_follower"]),
     ("Your own program", ["examples/README", "embedding", "embedding_c", "python", "api/index", "notebooks_cpp/README",

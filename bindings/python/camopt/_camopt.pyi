@@ -287,8 +287,8 @@ class Solution:
         """Events, durations, areas and accelerations of a valve lobe as result.json has them; None for other motions."""
     @property
     def least(self) -> dict[str, Any] | None:
-        """How far the number of objective.least or largest went, as result.json has it: key, value, impossible, verdict, …;
-        None where the scene seeks none."""
+        """How far the number of objective.least or largest went, as result.json has it: key, value,
+        impossible, verdict, …; None where the scene seeks none."""
     def table(self) -> dict[str, Numbers]:
         """The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam angles, the
         breakpoints and the peaks; where the jerk jumps an angle stands twice."""
