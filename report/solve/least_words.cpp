@@ -34,8 +34,8 @@ std::string claim(const LeastReport& least, const std::string& unit) {
         return least.verdict == Verdict::optimal
                    ? "the end of its range"
                    : fmt::format("as far as the search found; {} it motions may exist", beyond);
-    const std::string at_it = fmt::format("at {} it is proved that no motion exists{}",
-                                          number_of(*least.impossible, unit), because(least));
+    std::string at_it = fmt::format("at {} it is proved that no motion exists{}",
+                                    number_of(*least.impossible, unit), because(least));
     if (least.verdict == Verdict::optimal) return at_it;
     if (least.verdict == Verdict::feasible) return at_it + "; between the two values nothing is known";
     return fmt::format("{}, but other values {} it may have motions", at_it, beyond);

@@ -45,8 +45,8 @@ inline constexpr double words_halo = 0.8e-3;  ///< m: the white rim of words
 
 /// How a style of a sheet's drawing looks, and in which layer of a DXF file it lies.
 struct SheetStyle {
-    const char* name;
-    const char* layer;
+    const char* name = "";
+    const char* layer = "";
     SheetPen pen = SheetPen::thin;
     int color = 8;  ///< AutoCAD colour index (shop/dxf/dxf_drawing.hpp)
 };
