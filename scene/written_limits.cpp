@@ -57,9 +57,7 @@ void complete(const PeakLimitRow& row, PeakLimit& limit, const MotionSpec& motio
     const double scale = one_normalised_peak(motion, row.order(), spelling);
     limit.unit = spelling.unit;
     if (limit.key.empty())
-        limit.key = row.side == 0 ? fmt::format("{}{}", member, spelling.suffix)
-                                  : fmt::format("{}{}.{}", member_of(row.term().name()), spelling.suffix,
-                                                row.side < 0 ? "min" : "max");
+        limit.key = written_limit_key(row.term().name(), spelling.suffix, side_of_key(row.side));
     if (!(scale > 0.0) || !std::isfinite(scale)) return;  // validate() reports faults of the motion
     limit.one_normalised = scale;
     if (limit.given == 0.0)
@@ -75,9 +73,8 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
     if (!(limit.unit_value > 0.0) || !std::isfinite(limit.unit_value))
         refuse(member_of(row.name), fmt::format("unit_value {}", limit.unit_value), "a number > 0");
     const bool own = oscillating && row.swinging.name != nullptr;
-    const std::string member = member_of(own                   ? row.swinging.name
-                                         : row.side != nullptr ? row.table
-                                                               : row.name);
+    const char* const name = own ? row.swinging.name : row.side != nullptr ? row.table : row.name;
+    const std::string member = member_of(name);
     const std::span<const Spelling> known = own ? row.swinging.spellings : row.spellings;
     const Spelling* spelling = spelling_of(known, member, limit.key, limit.unit);
     if (!spelling && limit.unit.empty() && limit.unit_value != 1.0)
@@ -89,11 +86,15 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
         limit.unit_value = spelling->factor;
     }
     if (limit.key.empty())
-        limit.key = fmt::format("{}{}{}{}", member, spelling ? spelling->suffix : "",
-                                row.side != nullptr ? "." : "", row.side != nullptr ? row.side : "");
+        limit.key =
+            written_limit_key(name, spelling ? spelling->suffix : "", row.side != nullptr ? row.side : "");
 }
 
 }  // namespace
+
+std::string written_limit_key(std::string_view name, std::string_view suffix, std::string_view side) {
+    return fmt::format("limits.{}{}{}{}", name, suffix, side.empty() ? "" : ".", side);
+}
 
 double one_normalised_peak(const MotionSpec& motion, int order, const Spelling& spelling) {
     if (spelling.unit.empty()) return 1.0;

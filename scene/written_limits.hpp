@@ -18,6 +18,15 @@ namespace camopt {
 /// limit in time without a speed.
 [[nodiscard]] Scene with_written_limits(Scene scene);
 
+/// "limits.acceleration_mm_s2", "limits.motor_torque_nm.max": of a name without its unit. side: "min", "max",
+/// or empty for a number.
+[[nodiscard]] std::string written_limit_key(std::string_view name, std::string_view suffix,
+                                            std::string_view side);
+/// The side of a limit on a peak: empty where it holds both.
+[[nodiscard]] constexpr std::string_view side_of_key(int side) {
+    return side == 0 ? "" : side < 0 ? "min" : "max";
+}
+
 /// given / normalised of a limit on the peak of a derivative in this unit; in time the motion has a speed.
 [[nodiscard]] double one_normalised_peak(const MotionSpec& motion, int order, const Spelling& spelling);
 

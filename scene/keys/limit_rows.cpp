@@ -21,8 +21,7 @@ Range range_in(Range range, const Spelling& spelling) {
 }
 
 std::string limit_key(std::string_view name, const KeyAt& at, std::string_view side) {
-    return fmt::format("limits.{}{}{}{}", name, at.spelling != nullptr ? at.spelling->suffix : "",
-                       side.empty() ? "" : ".", side);
+    return written_limit_key(name, at.spelling != nullptr ? at.spelling->suffix : "", side);
 }
 
 /// A number goes to the first of the rows, the bounds of a table to the other two.

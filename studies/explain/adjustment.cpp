@@ -12,8 +12,6 @@ namespace camopt {
 
 namespace {
 
-// The first change tried, relative; then it doubles.
-constexpr double first_change = 0.02;
 // Beyond a thousand times its size a change of a dimension or a limit is no advice.
 constexpr double farthest_change = 1e3;
 

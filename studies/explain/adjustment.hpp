@@ -11,6 +11,8 @@ namespace camopt {
 /// In the order in which changes are searched: what costs a user least comes first.
 enum class Usefulness { angle, base_radius, limit, speed, lift, other };
 
+/// The first change tried, relative; then it doubles.
+inline constexpr double first_change = 0.02;
 /// Pressure angles end short of the right angle.
 inline constexpr double largest_pressure_angle = 89.9 * units::degree;
 

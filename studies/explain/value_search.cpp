@@ -29,8 +29,11 @@ constexpr int exact_digits = 9;
 
 class ValueSearch {
  public:
-    ValueSearch(const Scene& scene, const Adjustment& adjustment, double given, const Budget& budget)
-        : scene_(scene), adjustment_(adjustment), given_(given), budget_(budget) {}
+    using Violation = double(const Scene& scene, const Budget& budget);
+
+    ValueSearch(const Scene& scene, const Adjustment& adjustment, double given, const Budget& budget,
+                Violation* violation = least_violation)
+        : scene_(scene), adjustment_(adjustment), given_(given), budget_(budget), violation_(violation) {}
 
     /// The nearest feasible value in one direction, ±1.
     [[nodiscard]] std::optional<double> nearest(int direction) const {
@@ -51,8 +54,7 @@ class ValueSearch {
         return {};
     }
 
-    [[nodiscard]] FeasibleEdge edge(double feasible, int direction, double end) {
-        of_any_angles_ = true;
+    [[nodiscard]] FeasibleEdge edge(double feasible, int direction, double end) const {
         double inside = feasible, slack = violation_at(feasible);
         double step = adjustment_.step;
         for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
@@ -77,11 +79,10 @@ class ValueSearch {
     const Adjustment& adjustment_;
     double given_;
     const Budget& budget_;
-    bool of_any_angles_ = false;
+    Violation* violation_;
 
     [[nodiscard]] double violation_at(double value) const {
-        const Scene scene = adjustment_.with(scene_, value);
-        return of_any_angles_ ? violation_of_any(scene, budget_) : least_violation(scene, budget_);
+        return violation_(adjustment_.with(scene_, value), budget_);
     }
 
     /// The boundary between an infeasible and a feasible value, from the feasible side.
@@ -311,7 +312,7 @@ std::optional<double> nearest_value(const Scene& scene, const Adjustment& adjust
 
 FeasibleEdge feasible_edge(const Scene& scene, const Adjustment& adjustment, double feasible, int direction,
                            double end, const Budget& budget) {
-    return ValueSearch(scene, adjustment, infinity, budget).edge(feasible, direction, end);
+    return ValueSearch(scene, adjustment, infinity, budget, violation_of_any).edge(feasible, direction, end);
 }
 
 double value_towards(const Scene& scene, const Adjustment& adjustment, double feasible,
@@ -319,16 +320,19 @@ double value_towards(const Scene& scene, const Adjustment& adjustment, double fe
     return ValueSearch(scene, adjustment, infinity, budget).towards(feasible);
 }
 
+double rounded_away(double value, int decimals, bool up) {
+    // Dividing by a power of ten gives the double nearest to the decimal number.
+    const double power = std::pow(10.0, std::abs(decimals));
+    const double scaled = decimals >= 0 ? value * power : value / power;
+    const double steps = up ? std::ceil(scaled) : std::floor(scaled);
+    return decimals >= 0 ? steps / power : steps * power;
+}
+
 double safe_value(double needed, bool up, double size) {
     size = std::max(size, std::abs(needed));
     if (!(size > 0.0) || !std::isfinite(size)) return needed;
     const int decimals = told_digits - 1 - static_cast<int>(std::floor(std::log10(size)));
-    const double moved = needed + (up ? least_margin : -least_margin) * size;
-    // Dividing by a power of ten gives the double nearest to the decimal number.
-    const double power = std::pow(10.0, std::abs(decimals));
-    const double scaled = decimals >= 0 ? moved * power : moved / power;
-    const double steps = up ? std::ceil(scaled) : std::floor(scaled);
-    return decimals >= 0 ? steps / power : steps * power;
+    return rounded_away(needed + (up ? least_margin : -least_margin) * size, decimals, up);
 }
 
 std::optional<Relaxation> solved_relaxation(const Scene& scene, const Adjustment& adjustment, double needed,

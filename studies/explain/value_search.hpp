@@ -75,6 +75,9 @@ struct FeasibleEdge {
 [[nodiscard]] double value_towards(const Scene& scene, const Adjustment& adjustment, double feasible,
                                    const Budget& budget);
 
+/// To so many decimals (below 0: tens, hundreds, …), on one side of the value.
+[[nodiscard]] double rounded_away(double value, int decimals, bool up);
+
 /// `needed` as it is told: to five digits of itself, or of `size` where that is larger, on the side away from
 /// the edge, and a millionth of that size beyond it at least.
 [[nodiscard]] double safe_value(double needed, bool up, double size);

@@ -20,14 +20,14 @@ namespace {
 // cap, in SI: the first solve says what its motion reaches. Far larger ones are no numbers to scale a row by.
 constexpr double idle_peak = 1e4;
 constexpr double idle_cap = 1e7, idle_pressure = 1e11;
-// A motion that reaches v satisfies a cap of v; this much farther off it does so to rounding, too.
+// A motion that reaches v satisfies a cap of v; this much further off it does so to rounding, too.
 constexpr double reached_room = 1e-6;
 // Values found and proved lie up to half of the gap from the edge: a quarter of it, and a quarter for
 // rounding to a number that people can read.
 constexpr double part_of_gap = 0.25;
 constexpr double edge_accuracy = 1e-7;
-// Where a solve at such a value does not end as the search says: this much farther off, of the gap.
-constexpr double farther_off[] = {1.0, 4.0, 16.0, 100.0, 1000.0};
+// Where a solve at such a value does not end as the search says: this much further off, of the gap.
+constexpr double beyond_gap[] = {1.0, 4.0, 16.0, 100.0, 1000.0};
 // Of a gap, at least: limits are met to the tolerance of the solve.
 constexpr double tolerances_of_gap = 10.0;
 // Of the time: for closing in on the edge, and for the motion there; the rest is for the proof.
@@ -51,15 +51,11 @@ struct LimitKey {
 LimitKey limit_key(const Scene& scene, std::string_view key) {
     const auto find = [&](std::string_view name, std::span<const Spelling> spellings, std::string_view side) {
         for (const Spelling& spelling : spellings)
-            if (key == fmt::format("limits.{}{}{}{}", name, spelling.suffix, side.empty() ? "" : ".", side))
-                return &spelling;
+            if (key == written_limit_key(name, spelling.suffix, side)) return &spelling;
         return static_cast<const Spelling*>(nullptr);
     };
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (const Spelling* spelling = find(row.term().name(), row.spellings,
-                                            row.side == 0  ? ""
-                                            : row.side < 0 ? "min"
-                                                           : "max"))
+        if (const Spelling* spelling = find(row.term().name(), row.spellings, side_of_key(row.side)))
             return {&row, nullptr, spelling};
     const bool swings = scene.motion.lift_is_angle;
     for (const LimitRow& row : limit_rows()) {
@@ -157,11 +153,8 @@ std::vector<Adjustment> all_numbers(const Scene& scene) {
 
 /// A value beyond the edge in a direction, rounded to digits that the gap does not need.
 double beyond(double edge, double direction, double distance) {
-    const double unit = std::pow(10.0, std::floor(std::log10(distance)));
-    const double moved = (edge + direction * distance) / unit;
-    // Dividing by a power of ten gives the double nearest to the decimal number.
-    const double whole = direction > 0.0 ? std::ceil(moved) : std::floor(moved);
-    return unit < 1.0 ? whole / std::round(1.0 / unit) : whole * unit;
+    const int decimals = -static_cast<int>(std::floor(std::log10(distance)));
+    return rounded_away(edge + direction * distance, decimals, direction > 0.0);
 }
 
 class LeastSearch {
@@ -249,21 +242,20 @@ class LeastSearch {
     }
     /// The first step from a figure, which may be 0: a part of it, or of the quantity itself.
     [[nodiscard]] double first_part_of(double worst, const LimitKey& limit, const CamReport* cam) const {
-        constexpr double first_step = 0.02;
         const double given = std::abs(sought_.change.given);
         const double least = given > 0.0 ? std::min(1e-9 * given, 1.0) : 1.0;
         const double unit =
             limit.peak != nullptr
                 ? std::abs(one_normalised_peak(scene_.motion, limit.peak->order(), *limit.spelling))
                 : quantity_size(scene_, cam, *limit.row) / limit.spelling->factor;
-        return first_step * std::max({std::abs(worst), unit, least});
+        return first_change * std::max({std::abs(worst), unit, least});
     }
 
     /// Of a number that is not monotone: whether values beyond the edge have motions again.
     [[nodiscard]] FeasibleEdge scanned(FeasibleEdge edge) const {
         if (sought_.monotone || !edge.outside) return edge;
         const double end = end_of(scene_, sought_);
-        double step = size(edge.inside) * 0.02;
+        double step = first_change * size(edge.inside);
         for (int k = 0; k < scanned_values && !all_.spent(); ++k, step *= 2.0) {
             const double value = edge.inside + direction_ * step;
             if (direction_ * (value - end) >= 0.0) break;
@@ -293,8 +285,8 @@ class LeastSearch {
     /// The motion at the edge: the best one by the weights.
     [[nodiscard]] Solution delivered(const FeasibleEdge& edge, LeastReport& report) const {
         Solution best;
-        for (const double farther : farther_off) {
-            const double away = distance(edge.inside) * farther;
+        for (const double further : beyond_gap) {
+            const double away = distance(edge.inside) * further;
             report.value = edge.outside ? beyond(edge.inside, -direction_, away) : edge.inside;
             say(fmt::format("{} = {:g}: solving", report.key, report.value));
             best = solve_without_explaining(scene_with(report.value), all_.part(motion_part).control(),
@@ -311,8 +303,8 @@ class LeastSearch {
             edge.at_end || (edge.outside && find_fault(scene_with(beyond(edge.inside, direction_, away))));
         if (at_end && sought_.monotone) report.verdict = Verdict::optimal;  // no scene has a value beyond
         if (!edge.outside || at_end || options_.look) return;
-        for (const double farther : farther_off) {
-            const double value = beyond(edge.inside, direction_, away * farther);
+        for (const double further : beyond_gap) {
+            const double value = beyond(edge.inside, direction_, away * further);
             const Scene scene = scene_with(value);
             if (all_.spent() || find_fault(scene)) return;
             say(fmt::format("{} = {:g}: proving that no motion exists", report.key, value));
@@ -366,7 +358,6 @@ std::optional<SoughtNumber> sought_number(const Scene& scene) {
                                fault->member, fault->found, fault->allowed),
                    sought.largest);
         sought.change = absent;
-        sought.absent = true;
     } else {
         refuse(scene, member, fmt::format("\"{}\"", key), sought.largest);
     }

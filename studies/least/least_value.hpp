@@ -24,7 +24,6 @@ namespace camopt {
 struct SoughtNumber {
     Adjustment change;     ///< its `given`: where the search starts, in the unit of the key
     bool largest = false;  ///< better large
-    bool absent = false;   ///< the scene gives no value: `given` is one that limits nothing
     /// The values for which the scene has motions are an interval without an end on the worse side.
     bool monotone = false;
 };
