@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/bound/bounder.hpp"
 
+#include "studies/bound/branch_and_bound.hpp"
+
 #include <numeric>
 
 namespace camopt::box_bound {
@@ -248,43 +250,41 @@ std::optional<BoxBound> Bounder::run() {
         add_row(root, log(std::move(step)));
     }
     add_places();
-    std::vector<Node> open;
     close(root);
     result_.x = root.x;
+    std::vector<Node> roots;
+    roots.push_back(std::move(root));
     double closed = infinity;  // least bound of what is done with
-    const auto put = [&](Node node) {
-        if (is_done(node)) {
+    const auto still_open = [&](std::vector<Node> nodes) {
+        for (const Node& node : nodes) {
+            if (!is_done(node)) continue;
             if (!node.empty) closed = std::min(closed, node.bound);
             end_part(node);
-            return;
         }
-        open.push_back(std::move(node));
+        std::erase_if(nodes, [&](const Node& node) { return is_done(node); });
+        return nodes;
     };
-    put(std::move(root));
+    std::vector<Node> open = still_open(std::move(roots));
     double known = -infinity;
     int in_vain = 0;
-    while (!open.empty() && result_.parts < options_.most_parts && !control_.ending()) {
-        const auto worst = std::ranges::min_element(open, {}, &Node::bound);
+    Branching<Node> by;
+    by.is_closed = [](const Node&) { return false; };
+    by.goes_on = [&](const Node& worst) {
+        if (result_.parts >= options_.most_parts || control_.ending()) return false;
         const double left = bounded() ? incumbent_ - known : std::max(1.0, std::abs(known));
-        if (worst->bound > known + worth_a_half * left || known == -infinity) {
-            known = worst->bound;
-            in_vain = 0;
-        } else if (++in_vain == most_halves_in_vain) {
-            break;
-        }
-        Node node = std::move(*worst);
-        open.erase(worst);
+        const bool lifted = worst.bound > known + worth_a_half * left || known == -infinity;
+        if (lifted) known = worst.bound;
+        in_vain = lifted ? 0 : in_vain + 1;
+        return in_vain < most_halves_in_vain;
+    };
+    by.branch = [&](const Node& node) -> std::optional<std::vector<Node>> {
         std::vector<Node> parts = halves(node);
-        if (parts.empty()) {
-            open.push_back(std::move(node));
-            break;
-        }
+        if (parts.empty()) return {};
         ++result_.parts;
-        for (Node& part : parts) {
-            close(part);
-            put(std::move(part));
-        }
-    }
+        for (Node& part : parts) close(part);
+        return still_open(std::move(parts));
+    };
+    branch_and_bound(open, by);
     for (const Node& node : open) {
         closed = std::min(closed, node.bound);
         end_part(node);

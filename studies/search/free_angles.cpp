@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/free_angles.hpp"
 
+#include "motions/laws/law_catalogue.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/part_names.hpp"
+#include "studies/bound/branch_and_bound.hpp"
 #include "studies/delivered/solution_report.hpp"
 
 #include <fmt/format.h>
@@ -28,15 +30,25 @@ constexpr double step_growth = 2.0, step_shrink = 0.25;
 // Two ranges are one freedom: no step forth or back helps. Of more, a step along two at once might.
 constexpr std::size_t one_freedom = 2;
 
+bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
+    if (neighbour.kind == SegmentKind::dwell) return true;
+    if (neighbour.kind == SegmentKind::spline) return false;
+    const auto law = make_law(neighbour.law);
+    const MotionPoint point = at_its_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
+    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
+    return std::abs(point.derivative[1]) < at_rest && std::abs(point.derivative[2]) < at_rest;
+}
+
+bool is_normalised(const SetPoint& point) {
+    return point.units.place.empty() && point.units.velocity.empty() && point.units.acceleration.empty();
+}
+
 /// Angles of the segments with a range.
 using Angles = std::vector<double>;
 
-/// What is proved of a box of angles.
-struct AngleBox {
-    Angles least, most;
-    double bound = 0.0;
-    bool infeasible = false;
-    std::shared_ptr<const DualityProof> proof = {};  ///< of the bound, or that nothing is feasible
+/// Angles within a box, and what is proved of them.
+struct AngleBox : CaseProof {
+    Angles least = {}, most = {};
 };
 
 class AngleSearch {
@@ -206,17 +218,11 @@ class AngleSearch {
         ++bounded_;
         const double seconds = left(plan_.bounding_boxes);
         if (seconds <= 0.0) return;
-        Certificate certificate = solve_(quick(box.most, seconds), control_).certificate;
-        if (certificate.verdict == Verdict::infeasible && certificate.proof) {
-            box.infeasible = true;
-            box.proof = std::make_shared<DualityProof>(std::move(*certificate.proof));
-        } else if (certificate.lower_bound && certificate.proof && *certificate.lower_bound > box.bound) {
-            box.bound = *certificate.lower_bound;
-            box.proof = std::make_shared<DualityProof>(std::move(*certificate.proof));
-        }
+        take_bound(box, solve_(quick(box.most, seconds), control_).certificate);
     }
 
-    [[nodiscard]] std::vector<AngleBox> split(const AngleBox& box) const {
+    /// Two halves, less what does not add up to the turn; none: too narrow.
+    [[nodiscard]] std::optional<std::vector<AngleBox>> halves(const AngleBox& box) {
         std::size_t widest = 0;
         for (std::size_t k = 1; k < box.least.size(); ++k)
             if (box.most[k] - box.least[k] > box.most[widest] - box.least[widest]) widest = k;
@@ -228,6 +234,11 @@ class AngleSearch {
             (upper ? part.least : part.most)[widest] = middle;
             if (narrow(part)) parts.push_back(std::move(part));
         }
+        for (AngleBox& part : parts) {
+            if (out_of_time(plan_.bounding_boxes)) continue;
+            try_angles(inside(part), plan_.bounding_boxes);
+            if (!is_closed(part)) bound(part);
+        }
         return parts;
     }
 
@@ -236,23 +247,11 @@ class AngleSearch {
         if (!narrow(all)) return;
         bound(all);
         boxes_.push_back(std::move(all));
-        while (bounded_ < most_boxes && !proved() && !out_of_time(plan_.bounding_boxes)) {
-            const auto next =
-                std::ranges::min_element(boxes_, [&](const AngleBox& one, const AngleBox& other) {
-                    if (is_closed(one) != is_closed(other)) return !is_closed(one);
-                    return one.bound < other.bound;
-                });
-            std::vector<AngleBox> parts = split(*next);
-            if (parts.empty()) return;
-            boxes_.erase(next);
-            for (AngleBox& part : parts) {
-                if (!out_of_time(plan_.bounding_boxes)) {
-                    try_angles(inside(part), plan_.bounding_boxes);
-                    if (!is_closed(part)) bound(part);
-                }
-                boxes_.push_back(std::move(part));
-            }
-        }
+        branch_and_bound(boxes_, {[this](const AngleBox& box) { return is_closed(box); },
+                                  [this](const AngleBox&) {
+                                      return bounded_ < most_boxes && !out_of_time(plan_.bounding_boxes);
+                                  },
+                                  [this](const AngleBox& box) { return halves(box); }});
     }
 
     void try_at_random() {
@@ -308,24 +307,17 @@ class AngleSearch {
         });
         if (!complete) return;
         solution.solver.proof_source = "structured, the largest angles of each box";
-        const bool one = boxes_.size() == 1;  // it settles the whole
-        certificate.proof_kind = one ? ProofKind::duality : ProofKind::boxes;
-        const bool nothing = std::ranges::all_of(boxes_, &AngleBox::infeasible);
-        if (one || (nothing && !solution.motion)) certificate.proof = *boxes_.front().proof;
-        double bound = infinity;
-        for (const AngleBox& box : boxes_) {
-            if (!box.infeasible) bound = std::min(bound, box.bound);
-            if (one) continue;
-            std::vector<std::string> region;
-            for (std::size_t k = 0; k < searched_.size(); ++k) region.push_back(words(box, k));
-            certificate.cases.push_back({std::move(region), box.bound, box.infeasible, box.proof});
-        }
-        if (!solution.motion) {
-            if (nothing) certificate.verdict = Verdict::infeasible;
-            return;
-        }
-        certificate.lower_bound = bound;
-        certificate.gap = relative_gap(certificate.objective, bound);
+        if (!solution.motion) certificate.objective = infinity;
+        std::vector<CaseProof> cases(boxes_.begin(), boxes_.end());
+        for (std::size_t i = 0; i < cases.size(); ++i)
+            for (std::size_t k = 0; k < searched_.size(); ++k)
+                cases[i].region.push_back(words(boxes_[i], k));
+        const bool nothing = take_cases(certificate, std::move(cases)) && !solution.motion;
+        if (nothing) certificate.verdict = Verdict::infeasible;
+        if (nothing || boxes_.size() == 1) certificate.proof = *boxes_.front().proof;
+        if (boxes_.size() > 1) return;
+        certificate.cases.clear();  // one box settles the whole
+        certificate.proof_kind = ProofKind::duality;
     }
 
     /// From a verdict for given angles to one for all.
@@ -378,6 +370,27 @@ class AngleSearch {
 };
 
 }  // namespace
+
+bool bounds_by_angles(const Scene& scene) {
+    if (scene.cam || scene.drive || scene.dynamics || !scene.own_terms.empty() || !scene.own_limits.empty())
+        return false;
+    // Corridors and tables stand where they are while segments move past them; an area or a mean over the
+    // turn weighs segments by their angles.
+    const bool weighs_turn = std::ranges::any_of(
+        response_terms(), [&](const ResponseTerm& term) { return term.weight_in(scene.objective) > 0.0; });
+    if (!scene.motion.corridors.empty() || weighs_turn || weighs_any(scene.objective, CostTerm::Kind::rms))
+        return false;
+    const std::vector<ProgramSegment>& segments = scene.motion.segments;
+    const std::size_t count = segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (segments[i].kind != SegmentKind::spline) continue;
+        if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
+        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
+            !rests_at_joint(segments[(i + 1) % count], false))
+            return false;
+    }
+    return true;
+}
 
 Solution solve_free_angles(const Scene& scene, const SolvePlan& plan, const SolveControl& control,
                            const SolveScene& solve) {

@@ -2,6 +2,7 @@
 #include "studies/search/held_strokes.hpp"
 
 #include "scene/cost_table.hpp"
+#include "studies/bound/branch_and_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/settled_scene.hpp"
 #include "studies/search/solve_motion.hpp"
@@ -16,16 +17,14 @@ namespace {
 constexpr double contradiction = 1e-6;  // lifts: less is left to the solver, whose tolerance may allow it
 
 /// Some directions given, and the best motion with them.
-struct Case {
-    std::vector<StrokeDirection> directions;
-    Solution solution;
-    double bound = -infinity;
-    std::shared_ptr<const DualityProof> proof = {};
+struct Case : CaseProof {
+    std::vector<StrokeDirection> directions = {};
+    Solution solution = {};
     int leaves = -1;  ///< the open stroke that leaves its range most, −1: none does
 
-    [[nodiscard]] bool infeasible() const { return solution.certificate.verdict == Verdict::infeasible; }
+    /// Of a motion that leaves no stroke.
     [[nodiscard]] double objective() const {
-        if (!solution.motion) return infinity;
+        if (leaves >= 0 || !solution.motion) return infinity;
         return solution.certificate.objective;
     }
 };
@@ -45,14 +44,9 @@ class DirectionSearch {
         const Stopwatch watch;
         cases_.push_back(solved(std::vector(free_.size(), StrokeDirection::open), nullptr));
         if (cases_.front().leaves < 0) return std::move(cases_.front().solution);
-        while (!control_.ending()) {
-            const auto next = std::ranges::min_element(cases_, [&](const Case& one, const Case& other) {
-                if (is_open(one) != is_open(other)) return is_open(one);
-                return one.bound < other.bound;
-            });
-            if (!is_open(*next)) break;
-            split(next);
-        }
+        branch_and_bound(cases_, {[this](const Case& part) { return is_closed(part); },
+                                  [this](const Case&) { return !control_.ending(); },
+                                  [this](const Case& part) { return branches(part); }});
         Solution best = delivered();
         best.seconds_solve = watch.seconds();
         return best;
@@ -68,33 +62,30 @@ class DirectionSearch {
     int solves_ = 0;
 
     /// A case that the given displacements contradict: nothing to solve.
-    [[nodiscard]] Case contradicted(std::vector<StrokeDirection> directions, const Case& whole,
-                                    double apart) const {
-        Case part{std::move(directions), whole.solution};
+    [[nodiscard]] Case contradicted(Case part, const Case& whole, double apart) const {
+        part.solution = whole.solution;
         withdraw_motion(part.solution);
         forget_proof(part.solution.certificate);
         report_contradicted_case(part.solution,
                                  scene_.motion.monotone ? "motion.monotone" : "motion.within_lift", apart);
-        part.proof = std::make_shared<DualityProof>(*part.solution.certificate.proof);
+        take_bound(part, part.solution.certificate);
         return part;
     }
 
     [[nodiscard]] Case solved(std::vector<StrokeDirection> directions, const Case* whole) {
-        const double apart = contradicting_directions(scene_.motion, directions);
-        if (whole != nullptr && apart > contradiction)
-            return contradicted(std::move(directions), *whole, apart);
-        ++solves_;
-        Case part{directions, solve_with_strokes(scene_, {true, directions}, control_)};
+        Case part;
+        part.region = region_of(directions);
+        part.directions = directions;
         part.bound = least_objective(scene_.objective);
-        const Certificate& certificate = part.solution.certificate;
+        const double apart = contradicting_directions(scene_.motion, directions);
         if (whole != nullptr) {
             part.bound = whole->bound;
             part.proof = whole->proof;
+            if (apart > contradiction) return contradicted(std::move(part), *whole, apart);
         }
-        const bool better = certificate.lower_bound && *certificate.lower_bound >= part.bound;
-        if (better) part.bound = *certificate.lower_bound;
-        if (certificate.proof && (better || part.infeasible()))
-            part.proof = std::make_shared<DualityProof>(*certificate.proof);
+        ++solves_;
+        part.solution = solve_with_strokes(scene_, {true, directions}, control_);
+        take_bound(part, part.solution.certificate);
         if (!part.solution.motion) return part;
         const std::vector<double> excursions = excursions_of(scene_, family_, *part.solution.motion);
         double worst = scene_.solver.tolerance;
@@ -119,81 +110,58 @@ class DirectionSearch {
         return -1;
     }
 
-    [[nodiscard]] double best_objective() const {
-        double best = infinity;
-        for (const Case& part : cases_)
-            if (part.leaves < 0) best = std::min(best, part.objective());
-        return best;
+    [[nodiscard]] auto best() const { return std::ranges::min_element(cases_, {}, &Case::objective); }
+
+    /// Its own motion leaves no stroke, or one that leaves none is as good as any in the case.
+    [[nodiscard]] bool is_closed(const Case& part) const {
+        const double least = best()->objective();
+        return part.leaves < 0 ||
+               (std::isfinite(least) && relative_gap(least, part.bound) <= scene_.solver.wanted_gap());
     }
 
-    /// Its own motion leaves a stroke, and one that does not may be better than the best.
-    [[nodiscard]] bool is_open(const Case& part) const {
-        const double best = best_objective();
-        return part.leaves >= 0 &&
-               (!std::isfinite(best) || relative_gap(best, part.bound) > scene_.solver.wanted_gap());
-    }
-
-    void split(std::vector<Case>::iterator at) {
-        const Case whole = std::move(*at);
-        cases_.erase(at);
+    [[nodiscard]] std::vector<Case> branches(const Case& whole) {
+        std::vector<Case> parts;
         for (const StrokeDirection direction : {StrokeDirection::rises, StrokeDirection::falls}) {
             std::vector<StrokeDirection> directions = whole.directions;
             directions[static_cast<std::size_t>(whole.leaves)] = direction;
-            cases_.push_back(solved(std::move(directions), &whole));
+            parts.push_back(solved(std::move(directions), &whole));
         }
+        return parts;
     }
 
-    [[nodiscard]] CaseProof proof_of(const Case& part) const {
+    [[nodiscard]] std::vector<std::string> region_of(const std::vector<StrokeDirection>& directions) const {
         std::vector<std::string> region;
         for (std::size_t k = 0; k < free_.size(); ++k)
-            if (part.directions[k] != StrokeDirection::open)
-                region.push_back(fmt::format(
-                    "{} {}", strokes_[free_[k]].member,
-                    part.directions[k] == StrokeDirection::rises ? "rises or rests" : "falls or rests"));
-        return {std::move(region), part.bound, part.infeasible(), part.proof};
+            if (directions[k] != StrokeDirection::open)
+                region.push_back(
+                    fmt::format("{} {} or rests", strokes_[free_[k]].member,
+                                directions[k] == StrokeDirection::rises ? "rises" : "falls"));
+        return region;
     }
 
     [[nodiscard]] Solution delivered() const {
-        const auto best = std::ranges::min_element(
-            cases_, {}, [](const Case& part) { return part.leaves < 0 ? part.objective() : infinity; });
-        const bool found = best->leaves < 0 && best->solution.motion;
-        const bool nothing = std::ranges::all_of(cases_, &Case::infeasible);
+        const bool found = std::isfinite(best()->objective());
         // Without a motion: of a case that is infeasible, or of one that ended early.
-        const Case& chosen = found || nothing ? *best : *std::ranges::find_if(cases_, [](const Case& part) {
-            return !part.infeasible();
-        });
-        Solution solution = chosen.solution;
+        const auto unsettled = std::ranges::find(cases_, false, &Case::infeasible);
+        Solution solution = (found || unsettled == cases_.end() ? best() : unsettled)->solution;
         Certificate& certificate = solution.certificate;
-        const Certificate own = certificate;
-        forget_proof(certificate);
-        certificate.cases.clear();
-        certificate.proof_kind = ProofKind::boxes;
-        double bound = infinity;
-        for (const Case& part : cases_) {
-            certificate.cases.push_back(proof_of(part));
-            if (!part.infeasible()) bound = std::min(bound, part.bound);
-        }
+        const Verdict own = certificate.verdict;
+        if (!found) withdraw_motion(solution);
+        const bool nothing = take_cases(certificate, {cases_.begin(), cases_.end()});
         solution.notes.push_back(fmt::format(
             "the best motion without {} leaves the range of a stroke whose displacement is free; {} solves "
             "with given directions",
             scene_.motion.monotone ? "motion.monotone" : "motion.within_lift", solves_ - 1));
+        if (nothing) return solution;
         if (!found) {
-            if (nothing) return solution;
-            withdraw_motion(solution);
             certificate.verdict = Verdict::failed;
             certificate.reason = control_.stopped()  ? Reason::interrupted
                                  : control_.ending() ? Reason::time_limit
                                                      : Reason::no_feasible_point;
-            return solution;
-        }
-        if (std::isfinite(bound)) {
-            certificate.lower_bound = std::min(bound, certificate.objective);
-            certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
-        }
-        if (certificate.gap && *certificate.gap <= scene_.solver.wanted_gap()) {
+        } else if (certificate.gap && *certificate.gap <= scene_.solver.wanted_gap()) {
             certificate.verdict = Verdict::optimal;
             certificate.reason = Reason::none;
-        } else if (own.verdict == Verdict::optimal) {
+        } else if (own == Verdict::optimal) {
             certificate.verdict = Verdict::feasible;
             certificate.reason =
                 control_.ending().has_value() ? Reason::time_limit : Reason::free_displacements;

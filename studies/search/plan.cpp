@@ -6,7 +6,7 @@
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
-#include "studies/search/angle_bounds.hpp"
+#include "studies/search/free_angles.hpp"
 #include "studies/search/posed_scene.hpp"
 
 namespace camopt {
