@@ -19,13 +19,10 @@ constexpr std::size_t most_first_rows = 200;
 class DeviationRule final : public WholeMotionRule {
  public:
     DeviationRule(std::vector<MeasuredRow> rows, int parameter, double reference)
-        : rows_(std::move(rows)), parameters_{parameter}, reference_(reference) {}
+        : WholeMotionRule({"deviation", 0, false, true, {parameter}}),
+          rows_(std::move(rows)),
+          reference_(reference) {}
 
-    [[nodiscard]] std::string name() const override { return "deviation"; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] int highest_order() const override { return 0; }
-    [[nodiscard]] bool limit() const override { return false; }
-    [[nodiscard]] double scale() const override { return 1.0; }
     /// Of each run of rows on one side of the motion the farthest.
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
         const double own = q.size() > 0 ? q[0] : 0.0;
@@ -61,7 +58,6 @@ class DeviationRule final : public WholeMotionRule {
 
  private:
     std::vector<MeasuredRow> rows_;
-    std::vector<int> parameters_;
     double reference_;
 };
 

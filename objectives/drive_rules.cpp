@@ -67,27 +67,21 @@ void visit_parts(const std::vector<DriveSpan>& spans, double begin, double end, 
 class MotorPeakRule final : public WholeMotionRule {
  public:
     MotorPeakRule(const Scene& scene, const MotionFamily& family, int parameter, double reference)
-        : torque_(drive_torque(*scene.drive, scene.motion)),
+        : WholeMotionRule({"motor_torque", 2, false, true, {parameter}}),
+          torque_(drive_torque(*scene.drive, scene.motion)),
           spans_(spans_of(scene, family)),
-          parameters_{parameter},
           reference_(reference) {
         for (const MotionFamily::Piece& piece : family.pieces())
             if (!piece.copy) pieces_.push_back({piece.begin, piece.end, 0.0});
     }
-    [[nodiscard]] std::string name() const override { return "motor_torque"; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] int highest_order() const override { return 2; }
-    [[nodiscard]] bool limit() const override { return false; }
-    [[nodiscard]] double scale() const override { return 1.0; }
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
         const double own = q.size() > 0 ? q[0] : 0.0;
         std::vector<Place> all;
-        visit_rules([&](const MotionBound& bound, std::vector<double> setting) {
-            const BoundRule rule(bound.key, bound.rule());
-            Extremum worst = bound.extreme_of(motion);
-            for (Extremum one : rule_maxima(rule, motion, {})) {
-                if (one.at < bound.from || one.at > bound.until || one.value <= own || one.at == worst.at)
-                    continue;
+        visit_rules([&](const LinearBound& bound, std::vector<double> setting) {
+            const std::vector<Extremum> maxima = rule_maxima(LinearRule(bound), motion, {});
+            Extremum worst = largest_of(maxima);
+            for (Extremum one : maxima) {
+                if (one.value <= own || one.at == worst.at) continue;
                 one.value -= own;
                 all.push_back({one, setting});
             }
@@ -108,7 +102,7 @@ class MotorPeakRule final : public WholeMotionRule {
     [[nodiscard]] std::vector<Place> first() const override {
         std::vector<Place> all;
         for (const DriveSpan& piece : pieces_)
-            visit_rules([&](const MotionBound& bound, const std::vector<double>& setting) {
+            visit_rules([&](const LinearBound& bound, const std::vector<double>& setting) {
                 const double begin = std::max(piece.begin, bound.from),
                              end = std::min(piece.end, bound.until);
                 if (!(end - begin > same_joint * (piece.end - piece.begin))) return;
@@ -127,7 +121,7 @@ class MotorPeakRule final : public WholeMotionRule {
     void visit_rules(Visit&& visit) const {
         for (std::size_t s = 0; s < spans_.size(); ++s)
             for (const double sign : {1.0, -1.0}) {
-                MotionBound bound;
+                LinearBound bound;
                 bound.key = name();
                 bound.order = 2;
                 bound.weights = torque_weights(torque_, spans_[s], sign / reference_);
@@ -139,7 +133,6 @@ class MotorPeakRule final : public WholeMotionRule {
 
     DriveTorque torque_;
     std::vector<DriveSpan> spans_, pieces_;
-    std::vector<int> parameters_;
     double reference_;
 };
 
@@ -211,13 +204,7 @@ std::shared_ptr<const EnergyRule> motor_energy_rule(std::string name, const Scen
 class PowerRule final : public PointRule {
  public:
     PowerRule(const DriveTorque& torque, const DriveSpan& span, int sign)
-        : torque_(torque), constant_(span.constant), sign_(sign) {}
-    [[nodiscard]] std::string name() const override { return "power"; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
-    [[nodiscard]] bool linear() const override { return false; }
-    [[nodiscard]] int highest_order() const override { return 2; }
-    [[nodiscard]] bool limit() const override { return false; }
-    [[nodiscard]] double scale() const override { return 1.0; }
+        : PointRule({"power", 2, false}), torque_(torque), constant_(span.constant), sign_(sign) {}
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd&) const override {
         const double v = point.derivative[1], a = point.derivative[2], n = sign_ * torque_.speed;
         RuleValue rule{n * v * (torque_.acceleration * a + torque_.velocity * v + constant_),
@@ -241,7 +228,6 @@ class PowerRule final : public PointRule {
     DriveTorque torque_;
     double constant_;
     int sign_;
-    std::vector<int> none_;
 };
 
 /// The reference law in the place of every spline, between the displacements that are known.
@@ -272,17 +258,22 @@ MotionChain law_chain(const Scene& scene, const MotionFamily& family) {
     return MotionChain(std::move(parts));
 }
 
-/// With name, key, unit and numbers of a limit.
-MotionBound written_bound(const LimitRow& row, const WrittenLimit& limit) {
-    MotionBound bound{row.name, limit.key, limit.unit};
+/// Without its weights; measured by itself.
+WrittenBound written_bound(const LimitRow& row, const WrittenLimit& limit, int sign) {
+    WrittenBound bound;
+    bound.key = limit.key;
     bound.order = 2;
-    bound.bound = limit.value;
+    bound.sign = sign;
+    bound.bound = bound.scale = limit.value;
+    bound.name = row.name;
+    bound.unit = limit.unit;
     bound.given = limit.given();
     bound.per_normalised = 1.0 / limit.unit_value;
+    bound.magnitude = row.side == nullptr;
     return bound;
 }
 
-void add_torque_bounds(std::vector<MotionBound>& all, const Scene& scene,
+void add_torque_bounds(std::vector<WrittenBound>& all, const Scene& scene,
                        const std::vector<DriveSpan>& spans) {
     const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
     for (const LimitedFigure figure :
@@ -293,28 +284,30 @@ void add_torque_bounds(std::vector<MotionBound>& all, const Scene& scene,
         for (const DriveSpan& span : spans)
             for (const int sign : {1, -1}) {
                 if (row.side != nullptr && (sign < 0) != row.is_least()) continue;
-                MotionBound bound = written_bound(row, *limit);
-                bound.sign = sign;
-                bound.magnitude = row.side == nullptr;
+                WrittenBound bound = written_bound(row, *limit, sign);
                 if (row.is_least()) bound.bound = -limit->value;
                 bound.weights = torque_weights(torque, span, sign);
                 bound.from = span.begin;
                 bound.until = span.end;
                 // A bound near 0 is measured by the torques of a good motion.
-                bound.size = row.side == nullptr ? limit->value : 6.0 * torque.acceleration;
+                if (row.side != nullptr)
+                    bound.scale = torque.acceleration > 0.0 ? 6.0 * torque.acceleration
+                                                            : std::max(std::abs(bound.bound), 1.0);
                 all.push_back(std::move(bound));
             }
     }
 }
 
-void add_curve_bounds(std::vector<MotionBound>& all, const Scene& scene,
+void add_curve_bounds(std::vector<WrittenBound>& all, const Scene& scene,
                       const std::vector<DriveSpan>& spans) {
     const MotorCurve& curve = scene.limits.motor_curve;
     const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
     const auto add = [&](const DriveSpan& span, std::array<double, 3> weights, std::string remark) {
-        MotionBound bound{"motor_curve", "limits.motor_curve", ""};
+        WrittenBound bound;
+        bound.name = "motor_curve";
+        bound.key = "limits.motor_curve";
         bound.order = 2;
-        bound.bound = bound.given = bound.size = 1.0;
+        bound.bound = bound.given = 1.0;
         bound.magnitude = true;
         bound.weights = weights;
         bound.remark = std::move(remark);
@@ -373,30 +366,27 @@ DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
         for (const int sign : {1, -1})
             for (const Extremum& one : rule_maxima(PowerRule(torque, span, sign), motion, {}))
                 if (one.at >= span.begin && one.at <= span.end) raise(figures.power, one);
-    MotionBound speed;
+    LinearBound speed;
     speed.order = 2;
     for (const double sign : {1.0, -1.0}) {
         speed.weights = {sign * torque.speed, 0.0, 0.0};
         raise(figures.speed, speed.extreme_of(motion));
     }
-    std::vector<MotionBound> curve;
+    std::vector<WrittenBound> curve;
     if (!scene.limits.motor_curve.empty()) add_curve_bounds(curve, scene, spans);
-    for (const MotionBound& bound : curve) raise(figures.share_of_curve, bound.extreme_of(motion));
+    for (const WrittenBound& bound : curve) raise(figures.share_of_curve, bound.extreme_of(motion));
     figures.rms_torque = MotorEnergy(scene, family).rms(motion);
     return figures;
 }
 
-std::vector<MotionBound> drive_bounds(const Scene& scene, const MotionFamily& family) {
-    std::vector<MotionBound> all;
+std::vector<WrittenBound> drive_bounds(const Scene& scene, const MotionFamily& family) {
+    std::vector<WrittenBound> all;
     if (!scene.drive) return all;
     const std::vector<DriveSpan> spans = spans_of(scene, family);
     add_torque_bounds(all, scene, spans);
     if (const auto& limit = scene.limits.motor_speed)
         for (const int sign : {1, -1}) {
-            MotionBound bound = written_bound(limit_row(LimitedFigure::motor_speed), *limit);
-            bound.sign = sign;
-            bound.magnitude = true;
-            bound.size = limit->value;
+            WrittenBound bound = written_bound(limit_row(LimitedFigure::motor_speed), *limit, sign);
             bound.weights = {sign * drive_torque(*scene.drive, scene.motion).speed, 0.0, 0.0};
             all.push_back(std::move(bound));
         }

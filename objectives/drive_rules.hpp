@@ -10,8 +10,7 @@
 // stroke.
 #pragma once
 
-#include "objectives/motion_bound.hpp"
-#include "objectives/rules/model.hpp"
+#include "objectives/rules/linear_bound.hpp"
 #include "scene/cost_table.hpp"
 
 namespace camopt {
@@ -39,7 +38,7 @@ class DriveAlong {
 };
 
 /// The limits that are linear; none without a drive.
-[[nodiscard]] std::vector<MotionBound> drive_bounds(const Scene& scene, const MotionFamily& family);
+[[nodiscard]] std::vector<WrittenBound> drive_bounds(const Scene& scene, const MotionFamily& family);
 
 /// What a term of the motor is divided by, N m: the scene's number, or the reference law's own in the place
 /// of the splines. Throws SceneError where that is not above 0, or infinite.

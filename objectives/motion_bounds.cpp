@@ -16,10 +16,24 @@ namespace {
 
 using Kind = StretchRequest::Kind;
 
-void add_sided(std::vector<MotionBound>& all, const PeakLimitRow& row, const PeakLimit& limit,
+// Of y, y', y'', y''' of a good motion over one lift: what a bound near 0 is measured by.
+constexpr std::array typical = {1.0, 2.0, 6.0, 60.0};
+
+double scale_of(const LinearBound& bound, double size) {
+    return std::max(std::abs(bound.bound), size * typical[static_cast<std::size_t>(bound.order)]);
+}
+
+void add_sided(std::vector<WrittenBound>& all, const PeakLimitRow& row, const PeakLimit& limit,
                const MotionFamily& family, const std::vector<StretchScale>& scales) {
-    MotionBound bound{row.name(), limit.key, limit.unit, row.order(), row.side, row.side * limit.normalised,
-                      limit.given};
+    WrittenBound bound;
+    bound.key = limit.key;
+    bound.order = row.order();
+    bound.sign = row.side;
+    bound.bound = row.side * limit.normalised;
+    bound.scale = scale_of(bound, 1.0);
+    bound.name = row.name();
+    bound.unit = limit.unit;
+    bound.given = limit.given;
     bound.per_normalised = limit.physical() ? limit.unit_per_normalised() : 1.0;
     if (limit.physical() || family.stretches().size() == 1) {
         all.push_back(std::move(bound));
@@ -31,9 +45,10 @@ void add_sided(std::vector<MotionBound>& all, const PeakLimitRow& row, const Pea
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         if (stretches[s].kind != (splines ? Kind::spline : Kind::shape)) continue;
         const double size = scales[s].displacement / std::pow(scales[s].angle, row.order());
-        MotionBound own = bound;
+        WrittenBound own = bound;
         own.bound *= size;
         own.per_normalised = 1.0 / size;
+        own.scale = scale_of(own, 1.0 / own.per_normalised);
         own.from = stretches[s].begin;
         own.until = stretches[s].end;
         own.stretch = static_cast<int>(s);
@@ -49,7 +64,7 @@ double per_normalised(const MotionSpec& motion, const Corridor::Bounds& bounds, 
            spelling_of_unit(order, bounds.unit).factor;
 }
 
-void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::size_t index) {
+void add_corridor(std::vector<WrittenBound>& all, const MotionSpec& motion, std::size_t index) {
     const Corridor& corridor = motion.corridors[index];
     for (std::size_t order = 0; order < corridor.bounds.size(); ++order) {
         const Corridor::Bounds& bounds = corridor.bounds[order];
@@ -59,17 +74,20 @@ void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::
             if (!value) continue;
             const char* const side = sign < 0 ? "min" : "max";
             const std::string name = bounds.key.empty() ? derivative_names[order] : bounds.key;
-            MotionBound bound{fmt::format("corridor_{}_{}", derivative_names[order], side),
-                              entry_key("motion.corridor", index, joined_key(name, side)),
-                              bounds.unit,
-                              static_cast<int>(order),
-                              sign,
-                              sign * *value};
-            bound.corridor = static_cast<int>(index);
-            bound.per_normalised = unit;
-            bound.given = as_written(*value * unit);
+            WrittenBound bound;
+            bound.key = entry_key("motion.corridor", index, joined_key(name, side));
+            bound.order = static_cast<int>(order);
+            bound.sign = sign;
+            bound.bound = sign * *value;
+            bound.scale = scale_of(bound, 1.0);
             bound.from = corridor.from / motion.unit_angle();
             bound.until = std::min(corridor.to / motion.unit_angle(), motion.length());
+            bound.on_copies = true;
+            bound.name = fmt::format("corridor_{}_{}", derivative_names[order], side);
+            bound.unit = bounds.unit;
+            bound.given = as_written(*value * unit);
+            bound.per_normalised = unit;
+            bound.corridor = static_cast<int>(index);
             all.push_back(std::move(bound));
         }
     }
@@ -87,13 +105,9 @@ void visit_motion(const std::vector<double>& breakpoints, Visit&& visit) {
 /// 1 − (1/L) ∫ y dx <= q · reference.
 class AreaRule final : public WholeMotionRule {
  public:
-    AreaRule(int parameter, double reference) : parameters_{parameter}, reference_(reference) {}
+    AreaRule(int parameter, double reference)
+        : WholeMotionRule({"area", 0, false, true, {parameter}}), reference_(reference) {}
 
-    [[nodiscard]] std::string name() const override { return "area"; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] int highest_order() const override { return 0; }
-    [[nodiscard]] bool limit() const override { return false; }
-    [[nodiscard]] double scale() const override { return 1.0; }
     [[nodiscard]] bool is_one_row() const override { return true; }
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
         const double own = q.size() > 0 ? q[0] : 0.0;
@@ -123,7 +137,6 @@ class AreaRule final : public WholeMotionRule {
     [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
 
  private:
-    std::vector<int> parameters_;
     double reference_;
 };
 
@@ -162,18 +175,18 @@ double mean_of(const Motion& law) {
 
 }  // namespace
 
-std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family) {
-    std::vector<MotionBound> all;
+std::vector<WrittenBound> motion_bounds(const Scene& scene, const MotionFamily& family) {
+    std::vector<WrittenBound> all;
     const std::vector<StretchScale> scales = peak_scales(scene);
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits); limit && row.side != 0)
             add_sided(all, row, *limit, family, scales);
     for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
-    for (MotionBound& bound : drive_bounds(scene, family)) all.push_back(std::move(bound));
+    for (WrittenBound& bound : drive_bounds(scene, family)) all.push_back(std::move(bound));
     return all;
 }
 
-std::vector<MotionBound> motion_bounds(const Scene& scene) {
+std::vector<WrittenBound> motion_bounds(const Scene& scene) {
     const bool sided = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
         return row.side != 0 && row.in(scene.limits).has_value();
     });
@@ -213,13 +226,10 @@ double area_reference(const Scene& scene, const MotionFamily& family) {
 }
 
 void add_motion_bounds(CamModel& model, const Scene& scene) {
-    for (const MotionBound& bound : motion_bounds(scene, model.design)) {
-        PlacedRule rule(std::make_shared<BoundRule>(bound.key, bound.rule()), bound.stretch);
-        rule.from = bound.from;
-        rule.until = bound.until;
+    for (const WrittenBound& bound : motion_bounds(scene, model.design)) {
+        model.rules.push_back(bound.rule());
+        PlacedRule& rule = model.rules.back();
         if (bound.stretch >= 0) rule.from = -infinity, rule.until = infinity;  // the stretch says it
-        rule.on_copies = bound.corridor >= 0;
-        model.rules.push_back(std::move(rule));
     }
     add_area(model, scene);
 }

@@ -3,17 +3,16 @@
 // the lost area as a term.
 #pragma once
 
-#include "objectives/motion_bound.hpp"
-#include "objectives/rules/model.hpp"
+#include "objectives/rules/linear_bound.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {
 
 /// Limits of one side and corridors of the scene. A normalised limit of a program holds for each spline
 /// segment (of a prescribed one: each law) as peak_scales measures it.
-[[nodiscard]] std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family);
+[[nodiscard]] std::vector<WrittenBound> motion_bounds(const Scene& scene, const MotionFamily& family);
 /// Those of scene_family; a scene without any needs no family.
-[[nodiscard]] std::vector<MotionBound> motion_bounds(const Scene& scene);
+[[nodiscard]] std::vector<WrittenBound> motion_bounds(const Scene& scene);
 
 /// 1 − (1/L) ∫ y dx over all of the motion of length L, y in lifts; exact for splines, of laws to round-off.
 [[nodiscard]] double lost_area(const Motion& motion);

@@ -25,18 +25,15 @@ std::string place_text(const MotionPoint& point) {
 }  // namespace
 
 OwnPointRule::OwnPointRule(const OwnTerm& term, int parameter)
-    : name_(term.name),
+    : PointRule({term.name, term.highest_order, false, term.shape == Curvature::linear, {parameter}}),
       formula_(term.formula),
       shape_(term.shape),
-      highest_order_(term.highest_order),
-      size_(term.reference),
-      parameters_{parameter} {}
+      size_(term.reference) {}
 
 OwnPointRule::OwnPointRule(const OwnLimit& limit)
-    : name_(limit.key()),
+    : PointRule({limit.key(), limit.highest_order, true, limit.shape == Curvature::linear}),
       formula_(limit.formula),
       shape_(limit.shape),
-      highest_order_(limit.highest_order),
       level_(limit.limit),
       size_(limit.scale()) {}
 
@@ -46,25 +43,25 @@ void OwnPointRule::check_shape(const MotionPoint& point, const FormulaValue& fou
     if (largest == 0.0) return;
     if (shape_ == Curvature::linear)
         throw ModelError(
-            fmt::format("{}: declared linear, but its Hessian is not 0 at {}", name_, place_text(point)));
+            fmt::format("{}: declared linear, but its Hessian is not 0 at {}", name(), place_text(point)));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(found.hessian, Eigen::EigenvaluesOnly);
     const double least = eigen.eigenvalues().minCoeff();
     if (least < -curvature_rounding * largest)
         throw ModelError(fmt::format("{}: declared convex, but its Hessian has the eigenvalue {:.6g} at {}",
-                                     name_, least, place_text(point)));
+                                     name(), least, place_text(point)));
 }
 
 RuleValue OwnPointRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     const FormulaValue found = formula_(point);
     if (std::isfinite(found.value) && !has_values(found))
-        throw ModelError(fmt::format("{}: the partials have no value at {}", name_, place_text(point)));
+        throw ModelError(fmt::format("{}: the partials have no value at {}", name(), place_text(point)));
     check_shape(point, found);
-    const Eigen::Index variables = 4 + static_cast<Eigen::Index>(parameters_.size());
+    const Eigen::Index variables = 4 + static_cast<Eigen::Index>(parameters().size());
     RuleValue result{(found.value - level_) / size_, Eigen::VectorXd::Zero(variables),
                      Eigen::MatrixXd::Zero(variables, variables), found.by_x / size_};
     result.gradient.head<4>() = found.gradient / size_;
     result.hessian.topLeftCorner<4, 4>() = found.hessian / size_;
-    if (parameters_.empty()) return result;
+    if (limit()) return result;
     result.value -= q[0];
     result.gradient[4] = -1.0;
     return result;

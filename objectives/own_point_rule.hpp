@@ -15,24 +15,15 @@ class OwnPointRule final : public PointRule {
     OwnPointRule(const OwnTerm& term, int parameter);
     explicit OwnPointRule(const OwnLimit& limit);
 
-    [[nodiscard]] std::string name() const override { return name_; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool linear() const override { return shape_ == Curvature::linear; }
     [[nodiscard]] Curvature curvature(double, double) const override { return shape_; }
-    [[nodiscard]] int highest_order() const override { return highest_order_; }
-    [[nodiscard]] bool limit() const override { return parameters_.empty(); }
-    [[nodiscard]] double scale() const override { return 1.0; }
     /// Throws ModelError if the formula contradicts its declared shape, or its partials are undefined where
     /// it is defined.
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
-    std::string name_;
     MotionFormula formula_;
     Curvature shape_;
-    int highest_order_;
     double level_ = 0.0, size_ = 1.0;
-    std::vector<int> parameters_;
 
     void check_shape(const MotionPoint& point, const FormulaValue& found) const;
 };

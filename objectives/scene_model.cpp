@@ -8,6 +8,7 @@
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/rules/torque_rule.hpp"
 #include "objectives/spring_rules.hpp"
 #include "scene/part_names.hpp"
 
@@ -142,12 +143,25 @@ void add_known_points(CamModel& model, const Scene& scene) {
     model.known_points = std::move(points);
 }
 
+/// |y^{(order)}| <= most.
+void add_cap(CamModel& model, const PeakLimit& limit, int order, double most, int stretch) {
+    for (const int sign : {1, -1}) {
+        LinearBound cap{limit.key, order, sign, most, most};
+        cap.stretch = stretch;
+        model.rules.push_back(cap.rule());
+    }
+}
+
 /// The two rules that make parameter `index` the peak of |y^{(order)}|: in a program on each spline stretch.
 void add_peak_rules(CamModel& model, const WeightedPeak& source, int index) {
     const auto add = [&](double reference, int stretch) {
         for (const int sign : {1, -1}) {
-            model.rules.emplace_back(std::make_shared<PeakRule>(source.order, sign, index, reference),
-                                     stretch);
+            LinearBound peak{std::string(sign > 0 ? "+" : "-") + derivative_names[source.order], source.order,
+                             sign};
+            peak.scale = reference;
+            peak.peak = index;
+            peak.stretch = stretch;
+            model.rules.push_back(peak.rule());
         }
     };
     if (model.stretch_scales.empty()) return add(source.reference, -1);
@@ -212,11 +226,7 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             if (limit == nullptr || !*limit || (*limit)->physical()) continue;
             const double most =
                 (*limit)->normalised * scale.displacement / std::pow(scale.angle, term.measured.order);
-            for (const int sign : {1, -1})
-                model.rules.emplace_back(
-                    std::make_shared<BoundRule>((*limit)->key,
-                                                BoundRule::Bound{term.measured.order, sign, most, most}),
-                    s);
+            add_cap(model, **limit, term.measured.order, most, s);
         }
         const double figure = term.kind == CostTerm::Kind::rms ? std::sqrt(squares / width) : largest;
         if (weight > 0.0) model.cost_constant += weight * figure / term.measured.of(reference);
@@ -232,12 +242,7 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
         if (peak && source.order == 3) model.jerk_reference = source.reference;
         const std::optional<PeakLimit>& limit = *source.limit;
         const bool caps_motion = limit && limit->physical() && !model.stretch_scales.empty();
-        if (caps_motion) {
-            for (const int sign : {1, -1}) {
-                model.rules.emplace_back(std::make_shared<BoundRule>(
-                    limit->key, BoundRule::Bound{source.order, sign, limit->normalised, limit->normalised}));
-            }
-        }
+        if (caps_motion) add_cap(model, *limit, source.order, limit->normalised, -1);
         if (prescribed || (source.weight == 0.0 && (!limit || caps_motion))) continue;
         const int index = static_cast<int>(model.parameters.size());
         model.parameters.push_back(

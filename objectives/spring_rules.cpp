@@ -66,16 +66,11 @@ class HarmonicRule final : public WholeMotionRule {
  public:
     /// For the motions of this family.
     HarmonicRule(const Scene& scene, const MotionFamily& family, int order)
-        : key_(scene.limits.spring_harmonic->key),
+        : WholeMotionRule({scene.limits.spring_harmonic->key, 0, true, true}),
           spec_(scene.motion),
           order_(order),
           level_(scene.limits.spring_harmonic->value / scene.motion.lift),
           rows_(harmonic_rows(spec_, family, order)) {}
-    [[nodiscard]] std::string name() const override { return key_; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
-    [[nodiscard]] int highest_order() const override { return 0; }
-    [[nodiscard]] bool limit() const override { return true; }
-    [[nodiscard]] double scale() const override { return 1.0; }
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd&) const override {
         const auto [cosine, sine] = harmonic_of(spec_, motion, order_);
         const double value = std::hypot(cosine, sine) / level_ - 1.0;
@@ -98,12 +93,10 @@ class HarmonicRule final : public WholeMotionRule {
     }
 
  private:
-    std::string key_;
     MotionSpec spec_;
     int order_;
     double level_;
     std::array<AffineRow, 2> rows_;
-    std::vector<int> none_;
 };
 
 }  // namespace

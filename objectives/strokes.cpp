@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/strokes.hpp"
 
+#include "objectives/rules/linear_bound.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/peak_rule.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/part_names.hpp"
 
@@ -111,20 +111,18 @@ void add_turning_points(std::vector<PointCondition>& turning, const std::vector<
 
 std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, StrokeDirection direction) {
     std::vector<PlacedRule> rules;
-    const auto add = [&](const char* key, BoundRule::Bound bound, Datum datum) {
+    const auto add = [&](LinearBound bound, Datum datum) {
+        bound.stretch = stroke.stretch;
+        bound.datum = datum;
         bound.starts_without_rows = true;
         bound.contact = bound.order == 0 ? contact_of_y : contact_of_slope;
         bound.begin = stroke.begin;
         bound.end = stroke.end;
         bound.touches_begin = datum != Datum::end;
         bound.touches_end = datum != Datum::begin;
-        PlacedRule rule(std::make_shared<BoundRule>(key, bound), stroke.stretch);
-        rule.datum = datum;
-        if (scene.motion.type == MotionType::rr && stroke.begin > 0.0)
-            rule.from = stroke.begin;
-        else if (scene.motion.type == MotionType::rr)
-            rule.until = stroke.end;
-        rules.push_back(std::move(rule));
+        if (scene.motion.type == MotionType::rr)
+            (stroke.begin > 0.0 ? bound.from : bound.until) = stroke.begin > 0.0 ? stroke.begin : stroke.end;
+        rules.push_back(bound.rule());
     };
     const bool free = stroke.is_free();
     if (free && (direction == StrokeDirection::open || stroke.has_points)) return rules;
@@ -132,19 +130,19 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
     const bool rises = free ? direction == StrokeDirection::rises : *stroke.to > *stroke.from;
     if (scene.motion.monotone && lift >= standing_displacement) {
         const double mean = lift / (stroke.end - stroke.begin);
-        add("motion.monotone", {1, rises ? -1 : 1, 0.0, mean}, Datum::zero);
+        add({"motion.monotone", 1, rises ? -1 : 1, 0.0, mean}, Datum::zero);
         return rules;  // from a to b it stays between them
     }
     if (!scene.motion.within_lift) return rules;
     if (free) {
-        add("motion.within_lift", {0, -1, 0.0, 1.0}, rises ? Datum::begin : Datum::end);
-        add("motion.within_lift", {0, 1, 0.0, 1.0}, rises ? Datum::end : Datum::begin);
+        add({"motion.within_lift", 0, -1, 0.0, 1.0}, rises ? Datum::begin : Datum::end);
+        add({"motion.within_lift", 0, 1, 0.0, 1.0}, rises ? Datum::end : Datum::begin);
         return rules;
     }
     const bool bounded = std::isfinite(stroke.least) && std::isfinite(stroke.most);
     const double width = bounded ? stroke.most - stroke.least : std::max(lift, standing_displacement);
-    if (std::isfinite(stroke.least)) add("motion.within_lift", {0, -1, -stroke.least, width}, Datum::zero);
-    if (std::isfinite(stroke.most)) add("motion.within_lift", {0, 1, stroke.most, width}, Datum::zero);
+    if (std::isfinite(stroke.least)) add({"motion.within_lift", 0, -1, -stroke.least, width}, Datum::zero);
+    if (std::isfinite(stroke.most)) add({"motion.within_lift", 0, 1, stroke.most, width}, Datum::zero);
     return rules;
 }
 

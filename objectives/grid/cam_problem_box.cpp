@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounds valid for every motion at least as good as the incumbent, for proofs.
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/rules/peak_rule.hpp"
+#include "objectives/rules/linear_bound.hpp"
 
 namespace camopt {
 
@@ -52,7 +52,7 @@ double limited_derivative(const CamModel& model, int order) {
             const bool whole = (rule.stretch < 0 || rule.stretch == s) && rule.from <= stretches[s].begin &&
                                rule.until >= stretches[s].end;
             if (!whole || !rule->limit() || !rule->linear() || !rule->parameters().empty() ||
-                rule->highest_order() != order || dynamic_cast<const BoundRule*>(rule.rule.get()) == nullptr)
+                rule->highest_order() != order || dynamic_cast<const LinearRule*>(rule.rule.get()) == nullptr)
                 continue;
             const double rest = value(*rule, 0), slope = value(*rule, order) - rest;
             const bool alone = value(*rule, order == 2 ? 1 : 2) == rest;  // no sum of derivatives

@@ -130,16 +130,12 @@ class ResponseRule final : public WholeMotionRule {
  public:
     ResponseRule(const Scene& scene, Asked asked, std::vector<int> parameters,
                  std::shared_ptr<WorstSpeeds> speeds)
-        : scene_(scene),
+        : WholeMotionRule({asked.name, 3, asked.limit, true, std::move(parameters)}),
+          scene_(scene),
           asked_(std::move(asked)),
-          parameters_(std::move(parameters)),
           events_(motion_events(scene.motion)),
           speeds_(std::move(speeds)) {}
 
-    [[nodiscard]] std::string name() const override { return asked_.name; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool limit() const override { return asked_.limit; }
-    [[nodiscard]] double scale() const override { return 1.0; }
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
         const double own = q.size() > 0 ? q[0] : 0.0;
         const auto events = speeds_->of(motion, asked_.kind);
@@ -275,7 +271,6 @@ class ResponseRule final : public WholeMotionRule {
 
     Scene scene_;
     Asked asked_;
-    std::vector<int> parameters_;
     std::vector<MotionEvent> events_;
     std::shared_ptr<WorstSpeeds> speeds_;  ///< shared by the rules of a model
     /// A rule belongs to one model and its copies, whose families are equal: computed once.

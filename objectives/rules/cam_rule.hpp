@@ -156,15 +156,6 @@ class CamRule final : public PointRule {
     [[nodiscard]] bool at_every_station() const {
         return cam_->cam.formulas->limit_structure().has_all_stations(formula_.figure);
     }
-    [[nodiscard]] std::string name() const override { return formula_.name; }
-    [[nodiscard]] RowOrigin origin() const override;
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
-    [[nodiscard]] bool limit() const override { return true; }
-    [[nodiscard]] const std::vector<double>& places() const override { return formula_.places; }
-    [[nodiscard]] std::array<double, 2> holds_between() const override { return formula_.between; }
-    [[nodiscard]] double scale() const override { return formula_.scale; }
-    [[nodiscard]] bool linear() const override { return formula_.linear; }
     [[nodiscard]] Curvature curvature(double least, double most) const override;
     [[nodiscard]] SlopeRange slope_range() const override;
     [[nodiscard]] std::optional<RangeAlong> range_along(const Interval& x,
@@ -181,7 +172,7 @@ class CamRule final : public PointRule {
 
     std::shared_ptr<const CamVariables> cam_;
     CamFormula formula_;
-    std::vector<int> parameters_, active_;
+    std::vector<int> active_;
 };
 
 }  // namespace camopt

@@ -17,25 +17,22 @@ class EnergyRule final : public WholeMotionRule {
 
     /// `term`: its parameter; −1: a limit.
     EnergyRule(std::string name, Energy energy, double level, int term)
-        : name_(std::move(name)), energy_(std::move(energy)), level_(level) {
-        if (term >= 0) parameters_.push_back(term);
-    }
-    [[nodiscard]] std::string name() const override { return name_; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool linear() const override { return false; }
+        : WholeMotionRule({.name = std::move(name),
+                           .highest_order = 2,
+                           .limit = term < 0,
+                           .parameters = term < 0 ? std::vector<int>{} : std::vector{term}}),
+          energy_(std::move(energy)),
+          level_(level) {}
     [[nodiscard]] Curvature curvature(double, double) const override { return Curvature::convex; }
-    [[nodiscard]] int highest_order() const override { return 2; }
-    [[nodiscard]] bool limit() const override { return parameters_.empty(); }
-    [[nodiscard]] double scale() const override { return 1.0; }
     [[nodiscard]] bool is_one_row() const override { return true; }
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
         const double share = energy_.rms(motion) / level_;
         const double value =
-            parameters_.empty() ? 0.5 * (share * share - 1.0) : share - (q.size() > 0 ? q[0] : 0.0);
+            limit() ? 0.5 * (share * share - 1.0) : share - (q.size() > 0 ? q[0] : 0.0);
         return {{{value, motion.begin()}, {0.0}}};
     }
     [[nodiscard]] AffineRow row(const MotionFamily&, double, Side, std::span<const double>) const override {
-        throw ModelError(name_ + ": a quadratic rule has no linear row");
+        throw ModelError(name() + ": a quadratic rule has no linear row");
     }
     [[nodiscard]] std::optional<QuadraticForm> form(const MotionFamily& family) const override {
         return energy_.form(family, level_);
@@ -43,9 +40,7 @@ class EnergyRule final : public WholeMotionRule {
     [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
 
  private:
-    std::string name_;
     Energy energy_;
-    std::vector<int> parameters_;
     double level_;
 };
 

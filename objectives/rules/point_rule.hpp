@@ -28,47 +28,47 @@ struct SlopeRange {
 
 class WholeMotionRule;
 
+/// What a rule says of itself, besides its formula.
+struct RuleData {
+    std::string name;           ///< of a limit of the scene: its key as written by the user
+    int highest_order = 3;      ///< derivative of y in the formula: where it jumps, the rule may jump
+    bool limit = true;          ///< of the user's scene, as opposed to a peak variable's definition
+    bool linear = false;        ///< affine in the point and in q: its continuous maxima are then exact
+    std::vector<int> parameters = {};  ///< of the problem: which of them are q_1 … q_m
+    int sign = 0;                      ///< of its rows, as the remark (RowOrigin)
+    std::string remark = {};
+    double scale = 1.0;                ///< a value of this is a violation of 100 %; > 0
+    std::vector<double> places = {};   ///< x where alone it holds, ascending; empty: at every cam angle
+    std::array<double, 2> between = {-infinity, infinity};  ///< x between which it holds, both included
+    /// The first grid has no rows of it: most motions satisfy it anyway, and the exchange adds violated rows.
+    bool starts_without_rows = false;
+};
+
 class PointRule {
  public:
     virtual ~PointRule() = default;
     /// This rule, if it depends on more than one point.
     [[nodiscard]] virtual const WholeMotionRule* whole() const { return nullptr; }
-    /// Of a limit of the scene: its key as written by the user.
-    [[nodiscard]] virtual std::string name() const = 0;
+    [[nodiscard]] const std::string& name() const { return data_.name; }
     /// Of the rows that enforce it, without a location.
-    [[nodiscard]] virtual RowOrigin origin() const {
-        RowOrigin origin;
-        origin.rule = name();
-        origin.limit = limit();
-        origin.order = highest_order();
-        return origin;
+    [[nodiscard]] RowOrigin origin() const {
+        return {data_.name, data_.remark, {}, Side::right, data_.limit, data_.highest_order, data_.sign};
     }
-    /// Which parameters of the problem are q_1 … q_m.
-    [[nodiscard]] virtual const std::vector<int>& parameters() const = 0;
-    /// Affine in the point and in q: its continuous maxima are then exact.
-    [[nodiscard]] virtual bool linear() const = 0;
+    [[nodiscard]] const std::vector<int>& parameters() const { return data_.parameters; }
+    [[nodiscard]] bool linear() const { return data_.linear; }
+    [[nodiscard]] int highest_order() const { return data_.highest_order; }
+    [[nodiscard]] bool limit() const { return data_.limit; }
+    [[nodiscard]] const std::vector<double>& places() const { return data_.places; }
+    [[nodiscard]] const std::array<double, 2>& holds_between() const { return data_.between; }
+    [[nodiscard]] bool starts_without_rows() const { return data_.starts_without_rows; }
+    [[nodiscard]] double scale() const { return data_.scale; }
     /// `least`, `most`: extremes of y over the motions in question; ±infinity: unknown.
     [[nodiscard]] virtual Curvature curvature(double /*least*/, double /*most*/) const {
         return linear() ? Curvature::linear : Curvature::general;
     }
     /// For any y, with the parameters at their values; everything if the rule has parameters.
     [[nodiscard]] virtual SlopeRange slope_range() const { return {}; }
-    /// The highest derivative of y in the formula: where it jumps, the rule may jump.
-    [[nodiscard]] virtual int highest_order() const { return 3; }
-    /// A hard limit of the user's scene, as opposed to a peak variable's definition.
-    [[nodiscard]] virtual bool limit() const = 0;
-    /// Holds only at these x, ascending; empty: at every cam angle.
-    [[nodiscard]] virtual const std::vector<double>& places() const {
-        static const std::vector<double> everywhere;
-        return everywhere;
-    }
-    /// Holds only between these x, both included.
-    [[nodiscard]] virtual std::array<double, 2> holds_between() const { return {-infinity, infinity}; }
-    /// The first grid has no rows of it: most motions satisfy it anyway, and the exchange adds violated rows.
-    [[nodiscard]] virtual bool starts_without_rows() const { return false; }
-    /// Size of the limit: a value of `scale` is a violation of 100 %.
-    [[nodiscard]] virtual double scale() const = 0;
-    /// The same at one location; 0 where conditions of the motion make the rule active.
+    /// Its scale at one location; 0 where conditions of the motion make the rule active.
     [[nodiscard]] virtual double scale_at(double /*x*/) const { return scale(); }
     /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:
     /// the rule as a polynomial of it, whose maxima are then exact. Nullopt if it is not one; optional for
@@ -95,16 +95,13 @@ class PointRule {
     [[nodiscard]] virtual RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const = 0;
 
  protected:
-    PointRule() = default;
+    explicit PointRule(RuleData data) : data_(std::move(data)) {}
     PointRule(const PointRule&) = default;
     PointRule& operator=(const PointRule&) = default;
-};
 
-/// The same origin, of the side of this sign.
-[[nodiscard]] inline RowOrigin with_sign(RowOrigin origin, int sign) {
-    origin.sign = sign;
-    return origin;
-}
+ private:
+    RuleData data_;
+};
 
 // A rule over the whole motion, linear in it (or quadratic and convex): g(motion; q; setting) <= 0 for every
 // setting.
@@ -142,12 +139,14 @@ class WholeMotionRule : public PointRule {
         return {};
     }
 
-    [[nodiscard]] bool linear() const override { return true; }
     [[nodiscard]] const WholeMotionRule* whole() const final { return this; }
     /// It does not depend on a single point; throws ModelError.
     [[nodiscard]] RuleValue evaluate(const MotionPoint&, const Eigen::VectorXd&) const final {
         throw ModelError(name() + ": a rule of the whole motion was evaluated at a single point");
     }
+
+ protected:
+    using PointRule::PointRule;
 };
 
 }  // namespace camopt

@@ -22,7 +22,7 @@ std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
     std::vector<CurveLimit> all;
     const Scene& scene = view.solution.scene;
     const Motion& motion = *view.solution.motion;
-    for (const MotionBound& bound : motion_bounds(scene)) {
+    for (const WrittenBound& bound : motion_bounds(scene)) {
         if (bound.of_motor() || bound.order != static_cast<int>(unit.order)) continue;
         all.push_back({view.degrees(std::max(bound.from, motion.begin())),
                        view.degrees(std::min(bound.until, motion.end())),

@@ -132,9 +132,9 @@ LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const Constrai
 std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion) {
     std::vector<ConstraintReport> all;
     double nearest = 0.0;  // of the bounds with one key: how far the motion exceeds it, by its scale
-    for (const MotionBound& bound : motion_bounds(scene)) {
+    for (const WrittenBound& bound : motion_bounds(scene)) {
         const Extremum worst = bound.extreme_of(motion);
-        const double excess = (worst.value - bound.bound) / bound.scale();
+        const double excess = (worst.value - bound.bound) / bound.scale;
         const bool same = !all.empty() && all.back().key == bound.key;
         if (same && excess <= nearest) continue;
         nearest = excess;
@@ -142,7 +142,7 @@ std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& mo
         const double shown = bound.magnitude ? std::abs(worst.value) : bound.sign * worst.value;
         all.push_back({bound.name, bound.key, bound.given, shown * bound.per_normalised, bound.unit, worst.at,
                        false, true});
-        all.back().scale = bound.scale() * bound.per_normalised;
+        all.back().scale = bound.scale * bound.per_normalised;
     }
     if (const auto& limit = scene.limits.motor_torque_rms)
         all.push_back({limit_row(LimitedFigure::motor_torque_rms).name, limit->key, limit->given(),

@@ -273,7 +273,7 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
 
 /// The bounds of corridors, each to its side.
 void add_corridors(std::vector<Adjustment>& all, const Scene& scene) {
-    for (const MotionBound& bound : motion_bounds(scene)) {
+    for (const WrittenBound& bound : motion_bounds(scene)) {
         if (bound.corridor < 0) continue;
         const auto index = static_cast<std::size_t>(bound.corridor);
         const double size = std::max(std::abs(bound.given), bound.per_normalised);

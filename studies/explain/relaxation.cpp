@@ -36,7 +36,7 @@ Scene only_limits(const Scene& scene, const std::vector<std::string>& keys) {
         return key.starts_with(std::string(only.cam->face_key()) + "_");
     };
     if (only.cam && std::ranges::none_of(keys, of_face)) only.cam->face_half_width.reset();
-    for (const MotionBound& bound : motion_bounds(scene)) {
+    for (const WrittenBound& bound : motion_bounds(scene)) {
         if (bound.corridor < 0 || stays(bound.key)) continue;
         Corridor::Bounds& bounds = only.motion.corridors[static_cast<std::size_t>(bound.corridor)]
                                        .bounds[static_cast<std::size_t>(bound.order)];

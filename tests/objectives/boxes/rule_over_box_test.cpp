@@ -2,7 +2,7 @@
 // Planes under a rule over a box: below it everywhere, and those of a product are its convex envelope.
 #include "objectives/boxes/rule_over_box.hpp"
 
-#include "objectives/rules/peak_rule.hpp"
+#include "objectives/rules/torque_rule.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every term of the grid problem, both orders of derivative, against central differences.
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"
 
 #include <gtest/gtest.h>
@@ -14,12 +13,7 @@ namespace grid_nlp_test {
 /// y' y'' − q² <= 0: a rule that is curved in the point and in its parameter, to exercise the chain rule.
 class CurvedRule final : public PointRule {
  public:
-    explicit CurvedRule(int parameter) : parameters_{parameter} {}
-    std::string name() const override { return "curved"; }
-    const std::vector<int>& parameters() const override { return parameters_; }
-    bool linear() const override { return false; }
-    bool limit() const override { return true; }
-    double scale() const override { return 1.0; }
+    explicit CurvedRule(int parameter) : PointRule({.name = "curved", .parameters = {parameter}}) {}
     int evaluations() const { return evaluations_; }
     RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override {
         ++evaluations_;
@@ -37,7 +31,6 @@ class CurvedRule final : public PointRule {
     }
 
  private:
-    std::vector<int> parameters_;
     mutable int evaluations_ = 0;
 };
 

@@ -2,7 +2,7 @@
 #include "core/nlp.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/peak_rule.hpp"
+#include "objectives/rules/torque_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "tests/objectives/rules/plane_check.hpp"
 #include "tests/support/derivative_check.hpp"

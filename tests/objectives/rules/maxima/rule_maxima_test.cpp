@@ -153,12 +153,7 @@ TEST(Intervals, ContainTheirRealValues) {
 /// y up to a half; no value beyond it, as of an arm that does not reach.
 class OutOfReach final : public PointRule {
  public:
-    explicit OutOfReach(double beyond) : beyond_(beyond) {}
-    [[nodiscard]] std::string name() const override { return "out of reach"; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool linear() const override { return false; }
-    [[nodiscard]] bool limit() const override { return true; }
-    [[nodiscard]] double scale() const override { return 1.0; }
+    explicit OutOfReach(double beyond) : PointRule({"out of reach"}), beyond_(beyond) {}
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd&) const override {
         RuleValue value{-1.0, Eigen::VectorXd::Zero(4), Eigen::MatrixXd::Zero(4, 4)};
         if (point.derivative[0] > beyond_) value.value = std::nan("");
@@ -167,7 +162,6 @@ class OutOfReach final : public PointRule {
 
  private:
     double beyond_;
-    std::vector<int> parameters_;
 };
 
 TEST(RuleMaxima, UndefinedValuesCountAsWorstViolation) {
@@ -196,11 +190,7 @@ TEST(RuleMaxima, UndefinedValuesCountAsWorstViolation) {
 /// y' / (1 + y): 1 everywhere along y = e^x − 1, so that a quintic close to it hugs the limit of 1.
 class Hugging final : public PointRule {
  public:
-    [[nodiscard]] std::string name() const override { return "hugging"; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool linear() const override { return false; }
-    [[nodiscard]] bool limit() const override { return true; }
-    [[nodiscard]] double scale() const override { return 1.0; }
+    Hugging() : PointRule({"hugging"}) {}
     [[nodiscard]] std::optional<RangeAlong> range_along(const Interval&, const std::array<Interval, 5>& y,
                                                         const Eigen::VectorXd&) const override {
         ++looks_;
@@ -215,7 +205,6 @@ class Hugging final : public PointRule {
 
  private:
     mutable int looks_ = 0;
-    std::vector<int> parameters_;
 };
 
 /// Thousands of stretches a piece, and given up, where only the first order enclosed the rule.
@@ -240,11 +229,7 @@ TEST(RuleMaxima, NearlyActiveRulesAreFoundQuickly) {
 /// sin(10⁶·y): thousands of maxima a piece, none of which says anything.
 class Shaking final : public PointRule {
  public:
-    [[nodiscard]] std::string name() const override { return "shaking"; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool linear() const override { return false; }
-    [[nodiscard]] bool limit() const override { return true; }
-    [[nodiscard]] double scale() const override { return 1.0; }
+    Shaking() : PointRule({"shaking"}) {}
     [[nodiscard]] std::optional<RangeAlong> range_along(const Interval&, const std::array<Interval, 5>&,
                                                         const Eigen::VectorXd&) const override {
         ++looks_;
@@ -262,7 +247,6 @@ class Shaking final : public PointRule {
  private:
     static constexpr double often = 1e6;
     mutable int looks_ = 0;
-    std::vector<int> parameters_;
 };
 
 /// A search that strays far outside asked 16,000 times a piece, for seconds that nobody could stop.

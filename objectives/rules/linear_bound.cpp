@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/rules/linear_bound.hpp"
+
+#include "objectives/rules/maxima/rule_maxima.hpp"
+
+namespace camopt {
+
+LinearRule::LinearRule(const LinearBound& bound)
+    : PointRule({.name = bound.key,
+                 .highest_order = bound.order,
+                 .limit = bound.peak < 0,
+                 .linear = true,
+                 .parameters = bound.peak < 0 ? std::vector<int>{} : std::vector{bound.peak},
+                 .sign = bound.sign,
+                 .remark = bound.remark,
+                 .between = {bound.from, bound.until},
+                 .starts_without_rows = bound.starts_without_rows}),
+      bound_(bound) {}
+
+double LinearRule::scale_at(double x) const {
+    if (bound_.contact == 0) return 1.0;
+    // So close to the ends that y, which leaves them from rest, is below 1e-10 of its stroke.
+    constexpr double at_the_end = 1e-9;
+    const double along = std::clamp((x - bound_.begin) / (bound_.end - bound_.begin), 0.0, 1.0);
+    const double from_ends = bound_.touches_begin && bound_.touches_end ? 4.0 * along * (1.0 - along)
+                             : bound_.touches_begin                     ? along
+                                                                        : 1.0 - along;
+    const double scale = std::pow(from_ends, bound_.contact);
+    return scale > at_the_end ? scale : 0.0;
+}
+
+RuleValue LinearRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
+    const Eigen::Index variables = bound_.peak < 0 ? 4 : 5;
+    RuleValue rule{0.0, Eigen::VectorXd::Zero(variables), Eigen::MatrixXd::Zero(variables, variables)};
+    if (bound_.of_motor()) {
+        const auto& [velocity, acceleration, constant] = bound_.weights;
+        rule.gradient[1] = velocity / bound_.scale;
+        rule.gradient[2] = acceleration / bound_.scale;
+        rule.value = (velocity * point.derivative[1] + acceleration * point.derivative[2] + constant -
+                      bound_.bound) /
+                     bound_.scale;
+        return rule;
+    }
+    const double weight = bound_.sign / bound_.scale;
+    rule.gradient[bound_.order] = weight;
+    rule.value = weight * point.derivative[bound_.order] - bound_.bound / bound_.scale;
+    if (bound_.peak < 0) return rule;
+    rule.gradient[4] = -1.0;
+    rule.value -= q[0];
+    return rule;
+}
+
+PlacedRule LinearBound::rule() const {
+    PlacedRule placed(std::make_shared<const LinearRule>(*this), stretch);
+    placed.datum = datum;
+    placed.on_copies = on_copies;
+    return placed;
+}
+
+Extremum LinearBound::extreme_of(const Motion& motion) const {
+    LinearBound plain = *this;
+    plain.bound = 0.0;
+    plain.scale = 1.0;
+    return largest_of(rule_maxima(LinearRule(plain), motion, {}));
+}
+
+}  // namespace camopt
