@@ -30,7 +30,7 @@ struct WeightedPeak {
 };
 
 /// References as given; a missing one is that of the fallback law, whose peaks are computed only then.
-class Units {
+class References {
  public:
     [[nodiscard]] double of(const PeakFigure& figure, const Peaks& reference) {
         const double value = figure.of(reference);
@@ -55,17 +55,18 @@ Parameter::Kind parameter_kind(CostTerm::Kind kind) {
     return Parameter::Kind::rms;
 }
 
-std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& reference) {
+std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& reference, const CostUnits& units) {
     static const std::optional<PeakLimit> none;
-    Units units;
+    References references;
     std::vector<WeightedPeak> peaks;
     for (const CostTerm& term : cost_terms()) {
+        const double unit = units.of_peak(peaks.size());
         const double weight = term.weight_in(scene.objective);
         // Quantities that can be capped have a unit even without a weight.
         const bool needs_unit = term.limit != nullptr || weight > 0.0;
-        peaks.push_back({parameter_kind(term.kind), term.measured.order, weight,
+        peaks.push_back({parameter_kind(term.kind), term.measured.order, unit * weight,
                          term.limit != nullptr ? &(scene.limits.*term.limit) : &none,
-                         needs_unit ? units.of(term.measured, reference) : 1.0});
+                         needs_unit ? unit * references.of(term.measured, reference) : 1.0});
     }
     return peaks;
 }
@@ -233,10 +234,10 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
     }
 }
 
-void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
+void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference, const CostUnits& units) {
     const bool prescribed = scene.motion.prescribed();
     if (prescribed) add_prescribed_peaks(model, scene, reference);
-    for (const WeightedPeak& source : weighted_peaks(scene, reference)) {
+    for (const WeightedPeak& source : weighted_peaks(scene, reference, units)) {
         const bool peak = source.kind == Parameter::Kind::peak;
         if (peak && source.order < 3) model.entry_scale[source.order] = source.reference;
         if (peak && source.order == 3) model.jerk_reference = source.reference;
@@ -328,11 +329,11 @@ double dimension_weight(const Scene& scene, const std::string& name) {
 }
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
-                     const HeldStrokes& strokes) {
+                     const HeldStrokes& strokes, const CostUnits& units) {
     CamModel model(scene_family(scene, kind, strokes.directions));
     add_program_scales(model, scene);
     add_known_points(model, scene);
-    add_peaks(model, scene, reference);
+    add_peaks(model, scene, reference, units);
     add_motion_bounds(model, scene);
     add_stroke_rules(model, scene, strokes);
     set_entry_factors(model, scene);
@@ -342,6 +343,8 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_drive_rules(model, scene);
     add_spring_rules(model, scene);
     add_deviation_terms(model, scene);
+    model.cost_constant /= units.cost;
+    for (Parameter& parameter : model.parameters) parameter.weight /= units.cost;
     return model;
 }
 

@@ -3,6 +3,7 @@
 // references.
 #pragma once
 
+#include "objectives/cost_units.hpp"
 #include "objectives/scene_family.hpp"
 
 namespace camopt {
@@ -22,9 +23,9 @@ namespace camopt {
 
 /// Only peaks with a weight or a limit become variables. A program's peaks are the largest over its spline
 /// segments, normalised as peak_scales says.
-/// `strokes`: whether rules enforce their range (add_stroke_rules).
+/// `strokes`: whether rules enforce their range (add_stroke_rules). Cost and peaks are in `units`.
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
-                                   const HeldStrokes& strokes = {});
+                                   const HeldStrokes& strokes = {}, const CostUnits& units = {});
 
 /// The motions over which a retained rule must be convex.
 enum class ConvexOver {

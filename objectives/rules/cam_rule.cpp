@@ -5,23 +5,23 @@
 
 namespace camopt {
 
+namespace {
+
+RuleData data_of(const CamFormula& formula, const CamVariables& cam) {
+    RuleData data = formula;
+    for (const CamVariables::Variable& variable : cam.variables) data.parameters.push_back(variable.parameter);
+    return data;
+}
+
+}  // namespace
+
 CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
-    : cam_(std::move(cam)), formula_(std::move(formula)) {
-    parameters_.reserve(cam_->variables.size());
+    : PointRule(data_of(formula, *cam)), cam_(std::move(cam)), formula_(std::move(formula)) {
     active_.reserve(cam_->variables.size());
-    for (const CamVariables::Variable& variable : cam_->variables) {
-        parameters_.push_back(variable.parameter);
-        active_.push_back(variable.dimension);
-    }
+    for (const CamVariables::Variable& variable : cam_->variables) active_.push_back(variable.dimension);
     if (active_.size() > MechanismValue::most_active)
         throw ModelError(fmt::format("cam: found {} dimensions that are ranges; allowed: at most {}",
                                      active_.size(), MechanismValue::most_active));
-}
-
-RowOrigin CamRule::origin() const {
-    RowOrigin origin = with_sign(PointRule::origin(), formula_.sign);
-    origin.remark = formula_.remark;
-    return origin;
 }
 
 Curvature CamRule::curvature(double least, double most) const {

@@ -114,14 +114,9 @@ struct CamCallAlong : EnclosedCall<RangeAlong> {
 // A formula is in SI. The rule converts it to the normalised (y, y', y'', y'''; q) of the optimizer by the
 // chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each variable dimension = reference · q.
 
-struct CamFormula {
-    std::string name;         ///< the key of the limit, as the user wrote it
-    std::string remark = {};  ///< which part of the limit it is, where there are several
-    int sign = 0;             ///< ±1: which of its two sides
-    int highest_order = 2;
-    double scale = 1.0;                                     ///< a value of this is a violation of 100 %
-    std::vector<double> places = {};                        ///< x where alone it holds; empty: everywhere
-    std::array<double, 2> between = {-infinity, infinity};  ///< x between which it holds
+struct CamFormula : RuleData {
+    CamFormula() { highest_order = 2; }
+
     MechanismQuantity figure = MechanismQuantity::pressure_numerator;  ///< what the limit is on
 
     /// <= 0 is satisfied; dimensionless, of order one.
@@ -132,7 +127,6 @@ struct CamFormula {
     std::function<std::optional<RangeAlong>(const CamCallAlong&)> along = {};
     /// Over all s from `least` to `most`; none: general.
     std::function<Curvature(double least, double most)> shape = {};
-    bool linear = false;                       ///< linear over all of them
     Interval slopes = Interval::everything();  ///< of s' by the cam angle: the admissible range
 };
 

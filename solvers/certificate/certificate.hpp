@@ -109,7 +109,7 @@ struct CaseProof {
     std::vector<std::string> region;
     double bound = 0.0;
     bool infeasible = false;
-    std::shared_ptr<const DualityProof> proof;  ///< of a part of the rows: cases may share one
+    std::shared_ptr<const DualityProof> proof = {};  ///< of a part of the rows: cases may share one
 };
 
 /// The bound of a stored proof, recomputed from its numbers and rounded outward (long double, less an error
@@ -168,6 +168,10 @@ struct Certificate {
 /// ‖∇f + Jᵀλ + z‖∞ with the best z for the variable bounds within `active`, plus the worst |λ_i · slack_i|.
 [[nodiscard]] double stationarity_of(const Nlp& problem, const Eigen::VectorXd& x,
                                      const Eigen::VectorXd& row_multipliers, double active);
+
+/// The certificate of a problem becomes that of the same problem with `factor` times its cost, a power of two:
+/// nothing is rounded. The gap is the larger one of both, so that it says no less in either.
+void scale_cost(Certificate& certificate, double factor);
 
 // Removes the proof from a certificate. For the modules that verify results.
 

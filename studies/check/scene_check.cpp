@@ -246,7 +246,7 @@ SceneCheck check_scene(const Scene& scene) {
     check.plan = plan_of(posed, {.explain = true});
     (void)make_solver(check.plan.solver);
     check_native_options(check.plan.solver, complete.solver.options);
-    if (complete.measured) (void)measured_report(complete, posed.given_reference);  // throws: too few rows
+    if (complete.measured) (void)measured_report(complete, posed.reference);  // throws: too few rows
     const CamProblem problem(posed.model);
     for (const ConditionConflict& conflict : problem.model().design.redundant())
         check.redundant.push_back(conflict.condition);

@@ -100,7 +100,7 @@ PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>&
         for (const ProgramSegment& segment : motion.segments)
             if (motion.relative) advance = segment.to.value_or(advance);
         blocks.push_back({{machine.axes[b].name, machine.axes[b].phase, motion.unit_angle(), motion.lift,
-                           posed.scale.factor(), advance},
+                           posed.units.cost, advance},
                           std::move(posed.model),
                           b < memory.axes.size() ? memory.axes[b] : std::vector<RuleSample>{}});
     }
@@ -127,7 +127,7 @@ Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd&
     const CamProblem& problem = machine.problem->axis(index);
     const Eigen::VectorXd own = machine.problem->axis_x(index, x);
     Solution solution;
-    solution.scene = posed.scene();
+    solution.scene = posed.scene;
     solution.reference_peaks = posed.reference;
     solution.any_curve_limit = limit_curve(solution.scene, posed.reference);
     solution.plan = machine.plans[b];
@@ -169,7 +169,7 @@ bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMe
     bool fresh = false;
     for (int b = 0; b < posed.problem->axes(); ++b) {
         const auto at = static_cast<std::size_t>(b);
-        const Scene& scene = posed.posed[at]->scene();
+        const Scene& scene = posed.posed[at]->scene;
         const bool has_range = scene.motion.within_lift || scene.motion.monotone;
         if (memory.held[at] || !has_range || scene.motion.prescribed()) continue;
         const CamProblem& problem = posed.problem->axis(b);

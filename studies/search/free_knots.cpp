@@ -111,7 +111,7 @@ bool limits_peaks_alone(const Scene& scene) {
 bool holds_strokes(const PlannedRun& run, const FreeKnotResult& found) {
     const CamProblem& problem = *found.problem;
     return !run.plan.strokes_first_free ||
-           !leaves_its_strokes(run.posed.scene(), problem.model().design, problem.motion(found.found.x));
+           !leaves_its_strokes(run.posed.scene, problem.model().design, problem.motion(found.found.x));
 }
 
 struct FreeKnotSearch {
@@ -120,16 +120,17 @@ struct FreeKnotSearch {
     EvaluationCounts evaluations;
 };
 
-/// The starts one after the other, the first from the motion of `first`.
+/// The starts one after the other, the first from the motion of `first`; in units of the posed objective until
+/// the best is handed out.
 class BreakpointSearch {
  public:
     BreakpointSearch(const PlannedRun& run, const Solution& first, const SolveControl& control)
-        : run_(run), scene_(run.posed.scene()), first_(first), control_(control) {
+        : run_(run), scene_(run.posed.scene), first_(first), control_(control) {
         options_.exchange = exchange_options(scene_);
         options_.exchange.backend.native.clear();  // they belong to the backend the user chose
         options_.tolerance = scene_.solver.tolerance;
         if (!first.any_curve_limit) return;
-        const double limit = first.any_curve_limit->objective;
+        const double limit = first.any_curve_limit->objective / run.posed.units.cost;
         options_.enough = limit + nothing_left * scene_.solver.wanted_gap() * std::max(1.0, limit);
     }
 
@@ -143,6 +144,7 @@ class BreakpointSearch {
             const Candidate& best = search_.best.found;
             if (best.violation <= scene_.solver.tolerance && best.objective <= options_.enough) break;
         }
+        search_.best.found.objective *= run_.posed.units.cost;
         search_.evaluations = solver_.counts();
         return std::move(search_);
     }
@@ -161,7 +163,7 @@ class BreakpointSearch {
         const std::vector<double> points =
             index == 0 ? start_breakpoints(scene_)
                        : random_breakpoints(scene_, run_.plan.seed + static_cast<unsigned>(index));
-        const MovingBreakpoints moving(scene_, run_.posed.reference, strokes_, points);
+        const MovingBreakpoints moving(scene_, run_.posed.reference, strokes_, points, run_.posed.units);
         FreeKnotResult result =
             descend(moving, index == 0 ? first_.motion.get() : nullptr, solver_, options_, control_);
         search_.steps += result.steps;
@@ -267,7 +269,7 @@ void deliver_found(Solution& solution, const FreeKnotResult& found) {
 
 /// On the switching points of the limit curve, if they make an optimum.
 std::optional<Solution> solve_on_limit_curve(const PlannedRun& run, const SolveScene& solve) {
-    const Scene& scene = run.posed.scene();
+    const Scene& scene = run.posed.scene;
     const std::vector<double> points = limit_breakpoints(scene, run.posed.reference);
     if (points.empty()) return {};
     Solution solution = solve(with_breakpoints(scene, points), run.control);
@@ -302,7 +304,7 @@ std::vector<double> limit_breakpoints(const Scene& scene, const Peaks& reference
 }
 
 Solution solve_free_knots(const PlannedRun& run, const SolveScene& solve) {
-    const Scene& scene = run.posed.scene();
+    const Scene& scene = run.posed.scene;
     const SolveControl& control = run.control;
     const Stopwatch watch;
     if (std::optional<Solution> solution = solve_on_limit_curve(run, solve)) {

@@ -80,8 +80,12 @@ Eigen::VectorXd carried(const CamProblem& from, const Eigen::VectorXd& x, const 
 }
 
 MovingBreakpoints::MovingBreakpoints(const Scene& scene, const Peaks& reference, HeldStrokes strokes,
-                                     std::vector<double> points)
-    : scene_(scene), reference_(reference), strokes_(std::move(strokes)), start_(std::move(points)) {
+                                     std::vector<double> points, CostUnits units)
+    : scene_(scene),
+      reference_(reference),
+      strokes_(std::move(strokes)),
+      units_(std::move(units)),
+      start_(std::move(points)) {
     const std::size_t segments = start_.size() - 1;
     const bool symmetric = scene.motion.symmetric;
     const auto count = static_cast<Eigen::Index>(segments);
@@ -121,7 +125,8 @@ Eigen::VectorXd MovingBreakpoints::room(const Eigen::VectorXd& moves) const {
 }
 
 CamModel MovingBreakpoints::model(const Eigen::VectorXd& moves) const {
-    return scene_model(with_breakpoints(scene_, points(moves)), DesignKind::states, reference_, strokes_);
+    return scene_model(with_breakpoints(scene_, points(moves)), DesignKind::states, reference_, strokes_,
+                       units_);
 }
 
 }  // namespace camopt

@@ -15,7 +15,7 @@ class MovingBreakpoints {
     /// `points`: where they start, in the units of spline.breakpoints. Segments stay longer than a part of
     /// the mean one, or than the shortest of `points`.
     MovingBreakpoints(const Scene& scene, const Peaks& reference, HeldStrokes strokes,
-                      std::vector<double> points);
+                      std::vector<double> points, CostUnits units = {});
 
     /// How many move separately.
     [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(moving_.size()); }
@@ -24,13 +24,14 @@ class MovingBreakpoints {
     /// By how much each segment is longer than it must be, in mean segments, and its slope by the moves.
     [[nodiscard]] Eigen::VectorXd room(const Eigen::VectorXd& moves) const;
     [[nodiscard]] const Eigen::MatrixXd& room_slope() const { return room_slope_; }
-    /// The scene on points(moves).
+    /// The scene on points(moves), in `units`.
     [[nodiscard]] CamModel model(const Eigen::VectorXd& moves) const;
 
  private:
     const Scene& scene_;
     Peaks reference_;
     HeldStrokes strokes_;
+    CostUnits units_;
     std::vector<double> start_;
     std::vector<std::size_t> moving_;
     double mean_ = 1.0, least_ = 0.0;

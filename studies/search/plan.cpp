@@ -43,7 +43,7 @@ void plan_solver(SolvePlan& plan, const Scene& scene, bool general) {
 }
 
 void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
-    const Scene& scene = posed.given;
+    const Scene& scene = posed.scene;
     plan.angles =
         static_cast<int>(std::ranges::count_if(scene.motion.segments, [](const ProgramSegment& segment) {
             return segment.angle_range.has_value();
@@ -52,16 +52,16 @@ void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
         plan.breakpoints =
             static_cast<int>(start_breakpoints(scene).size() - held_breakpoints(scene).size()) - 2;
     plan.displacements =
-        static_cast<int>(free_displacements(posed.scene(), posed.model.design).joints.size());
+        static_cast<int>(free_displacements(posed.scene, posed.model.design).joints.size());
     plan.dimensions = static_cast<int>(
         std::ranges::count(posed.model.parameters, Parameter::Kind::dimension, &Parameter::kind));
 }
 
 ProofKind planned_proof(const SolvePlan& plan, const PosedScene& posed, bool general) {
     if (plan.angles > 0)
-        return plan.breakpoints == 0 && bounds_by_angles(posed.given) ? ProofKind::boxes : ProofKind::none;
+        return plan.breakpoints == 0 && bounds_by_angles(posed.scene) ? ProofKind::boxes : ProofKind::none;
     if (plan.breakpoints > 0)
-        return limit_curve(posed.scene(), posed.reference) ? ProofKind::any_curve_limit : ProofKind::none;
+        return limit_curve(posed.scene, posed.reference) ? ProofKind::any_curve_limit : ProofKind::none;
     if (!general) return ProofKind::duality;
     return plan.look ? ProofKind::none : ProofKind::boxes;
 }
@@ -79,7 +79,7 @@ StartKind start_kind(bool from_measured, int index) {
 }
 
 SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
-    const Scene& scene = posed.given;
+    const Scene& scene = posed.scene;
     const CamModel& model = posed.model;
     const bool general = needs_starts(model);
     SolvePlan plan;
@@ -88,7 +88,7 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     plan_solver(plan, scene, general);
     plan.design = design_of(scene);
     plan.contradiction = plan.breakpoints == 0 && !model.design.contradictions().empty();
-    plan.cost_scale = posed.scale.factor();
+    plan.cost_scale = posed.units.cost;
     plan.strokes_first_free =
         (scene.motion.within_lift || scene.motion.monotone) && !scene.motion.prescribed();
     if (general) plan.relaxations.push_back(ConvexOver::every_motion);

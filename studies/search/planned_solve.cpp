@@ -118,11 +118,11 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         // Of free breakpoints those of every solve hold their strokes.
         if (may_end && (leaves_strokes || unbounded || leaves_its_strokes(solution))) {
             run.known.optima.withdraw();
-            Solution held = solve_held_strokes(posed.scene(), timed);
+            Solution held = solve_held_strokes(posed.scene, timed);
             take_bound_of_relaxation(held, solution);
             solution = std::move(held);
         }
-        posed.restore(solution);
+        if (plan->breakpoints == 0) posed.restore(solution);
     }
     solution.plan = plan;
     solution.phases.setup += seconds_posed;

@@ -25,13 +25,12 @@ bool needs_starts(const CamModel& model) {
     });
 }
 
-PosedScene::PosedScene(const Scene& scene, HeldStrokes held)
-    : given(scene),
-      given_reference(reference_peaks(scene)),
-      scale(scene, given_reference),
-      reference(scale.is_idle() ? given_reference : reference_peaks(scale.scaled())),
+PosedScene::PosedScene(const Scene& asked, HeldStrokes held)
+    : scene(asked),
+      reference(reference_peaks(asked)),
       strokes(std::move(held)),
-      model(scene_model(scale.scaled(), design_of(scene), reference, strokes)) {
+      units(cost_units(asked, reference)),
+      model(model_as(design_of(asked))) {
     const bool measured = scene.measured && scene.measured->start && !searches_angles(scene);
     if (measured && model.design.contradictions().empty())
         model.start_design = nearest_design(model.design, scene);

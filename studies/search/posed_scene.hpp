@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: MIT
-// A scene as an optimization problem: its model, scaled so that its objective is near one, and the options of
-// its exchange.
+// A scene as the optimization problem that is solved in its place, and the way back.
+//
+// The problem is the model of the scene in units that leave its cost near one (objectives/cost_units.hpp).
 #pragma once
 
 #include "objectives/scene_model.hpp"
 #include "solvers/exchange/exchange.hpp"
-#include "studies/search/cost_scale.hpp"
+#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 
-/// A scene as it is solved, its objective near one, with its model. `given` outlives it.
 struct PosedScene {
+    /// `scene` outlives it.
     explicit PosedScene(const Scene& scene, HeldStrokes held = {});
 
-    [[nodiscard]] const Scene& scene() const { return scale.scaled(); }
-    /// What was found for scene() becomes the solution of `given`.
-    void restore(Solution& solution) const {
-        if (!scale.is_idle()) scale.restore(solution, given, given_reference);
+    /// The model of the same problem with another form of design vector.
+    [[nodiscard]] CamModel model_as(DesignKind kind) const {
+        return scene_model(scene, kind, reference, strokes, units);
     }
+    /// The solution of the problem becomes that of the scene.
+    void restore(Solution& solution) const { scale_cost(solution.certificate, units.cost); }
 
-    const Scene& given;
-    Peaks given_reference;
-    CostScale scale;
-    Peaks reference;  ///< what the peaks of scene() are divided by
+    const Scene& scene;
+    Peaks reference;  ///< what the peaks of the scene are divided by
     HeldStrokes strokes;
+    CostUnits units;  ///< of the model
     CamModel model;
 };
 

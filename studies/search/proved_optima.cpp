@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/proved_optima.hpp"
 
+#include "objectives/cost_units.hpp"
 #include "scene/cost_table.hpp"
 #include "solvers/exchange/exchange.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
-#include "studies/search/cost_scale.hpp"
 
 namespace camopt {
 
@@ -368,7 +368,7 @@ std::optional<Solution> ProvedOptima::proved(const Scene& scene,
     for (const std::shared_ptr<ProvedOptimum>& optimum : known_)
         if (serves(optimum->solution().scene) &&
             weigh_same_peaks(optimum->solution().scene.objective, scene.objective) &&
-            CostScale::are_near_one(scene, optimum->solution().reference_peaks))
+            cost_units(scene, optimum->solution().reference_peaks).cost == 1.0)
             tries.emplace_back(optimum->rank_for(scene), optimum.get());
     if (tries.empty()) return std::nullopt;
     std::ranges::stable_sort(tries, {}, [](const auto& one) { return one.first; });

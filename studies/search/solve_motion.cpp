@@ -107,7 +107,7 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
 /// rows of the relaxation are convex; else it is searched with all rules.
 void break_tie_of_relaxation(const PlannedRun& run, CamProblem& relaxation, CamProblem& whole,
                              ContinuousResult& result) {
-    const double allowed = std::max(run.posed.scene().solver.tolerance, result.certificate.worst_violation);
+    const double allowed = std::max(run.posed.scene.solver.tolerance, result.certificate.worst_violation);
     ContinuousResult relaxed = result;
     if (break_tie(run, relaxation, relaxed)) {
         const double violation = judged(whole, relaxed.x).violation;
@@ -186,7 +186,7 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
 /// Whether an optimum of a convex problem may serve neighbours of other weights.
 bool serves_other_weights(const PlannedRun& run, const ContinuousResult& result) {
     const Certificate& certificate = result.certificate;
-    return run.plan.convex && run.posed.scale.is_idle() && certificate.verdict == Verdict::optimal &&
+    return run.plan.convex && run.posed.units.are_its_own() && certificate.verdict == Verdict::optimal &&
            certificate.proof_kind == ProofKind::duality && certificate.proof &&
            certificate.proof->limits_relaxed_by == 0.0 && result.proof_source == run.plan.solver &&
            result.exchange.last.row_multipliers;
@@ -215,7 +215,7 @@ void report_result(Solution& solution, const CamProblem& problem, ContinuousResu
 Solution solve_motion(const PlannedRun& run) {
     const Stopwatch watch;
     Solution solution;
-    solution.scene = run.posed.scene();
+    solution.scene = run.posed.scene;
     solution.reference_peaks = run.posed.reference;
     solution.any_curve_limit = limit_curve(solution.scene, run.posed.reference);
     solution.solver.name = run.plan.solver;

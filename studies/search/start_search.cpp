@@ -58,8 +58,8 @@ class GeneralSolve {
           leaves_strokes_(run.leaves_strokes),
           model_(model),
           solver_(solver),
-          exchange_(exchange_options(run.posed.scene())),
-          judge_{posed_.scene().solver.tolerance, posed_.scene().solver.wanted_gap(false)},
+          exchange_(exchange_options(run.posed.scene)),
+          judge_{posed_.scene.solver.tolerance, posed_.scene.solver.wanted_gap(false)},
           control_(run.control.sooner(exchange_.backend.max_seconds)),
           first_control_(control_) {
         if (plan_.next_solver.empty()) return;
@@ -161,7 +161,7 @@ class GeneralSolve {
         seconds_ += relaxed.result.seconds;
         relaxed.result.seconds = seconds_;
         Certificate& certificate = relaxed.result.certificate;
-        drop_idle_bound(certificate, posed_.scene().objective);
+        drop_idle_bound(certificate, posed_.scene.objective);
         relaxed.settled = certificate.verdict == Verdict::infeasible;
         if (certificate.verdict != Verdict::optimal) return relaxed;
         const Candidate kept = judged(whole, relaxed.result.x);
@@ -175,7 +175,7 @@ class GeneralSolve {
     [[nodiscard]] bool leaves_strokes(const Relaxed& relaxed) const {
         const bool found =
             relaxed.result.certificate.verdict == Verdict::optimal && relaxed.result.x.size() > 0;
-        return found && leaves_its_strokes(posed_.scene(), relaxed.problem->model().design,
+        return found && leaves_its_strokes(posed_.scene, relaxed.problem->model().design,
                                            relaxed.problem->motion(relaxed.result.x));
     }
 
@@ -227,9 +227,7 @@ class GeneralSolve {
     void bound_boxes(const StartSearch& search, int parts) {
         if (control_.ending()) return;
         const Stopwatch watch;
-        if (!box_model_)
-            box_model_ =
-                scene_model(posed_.scene(), DesignKind::coefficients, posed_.reference, posed_.strokes);
+        if (!box_model_) box_model_ = posed_.model_as(DesignKind::coefficients);
         BoxBoundOptions options;
         options.gap = box_part_of_gap * judge_.gap;
         options.most_parts = parts;

@@ -59,7 +59,7 @@ Candidate smoother_optimum(const CamProblem& problem, TiedProblem& tied, Candida
 
 bool break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result) {
     if (!run.plan.tie_break || result.certificate.verdict != Verdict::optimal) return false;
-    const Scene& scene = run.posed.scene();
+    const Scene& scene = run.posed.scene;
     // Neighbours of a convex problem need the grid of the optimum alone, unless they are only looked at.
     const bool keeps = run.plan.look || !run.plan.convex;
     const double objective = result.certificate.objective;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes whose cost is far from one, and the audit of what is delivered.
+#include "objectives/scene_model.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/cost_scale.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/soak/stability/stability_scenes.hpp"
 
@@ -27,9 +27,9 @@ Solution with_bent_piece(Solution solution, int power, double by) {
     return solution;
 }
 
-TEST(CostScale, LeavesScenesNearOneAlone) {
+TEST(CostUnits, LeavesScenesNearOneAlone) {
     const Scene scene = scene_of(study_scene(MotionType::drd, 3, 12));
-    EXPECT_TRUE(CostScale(scene, solved_twelve().reference_peaks).is_idle());
+    EXPECT_TRUE(cost_units(scene, reference_peaks(scene)).are_its_own());
 }
 
 /// A rise in five segments: two of length b, the cruise, two of length b, that may be no faster than 1 / (1 −
@@ -60,7 +60,7 @@ struct LongCruise {
 
 /// Lifts from a micrometre to ten metres, times from a millisecond to hours, ramps down to a hundred
 /// thousandth of the time, for any limits.
-TEST(CostScale, FarLiftsAndTimesAreProved) {
+TEST(CostUnits, FarLiftsAndTimesAreProved) {
     for (const double lift : {1e-3, 1.0, 1e4})
         for (const double seconds : {1e-3, 1.0, 1e4})
             for (const double ramp : {0.1, 1e-3, 1e-5})
@@ -76,7 +76,7 @@ TEST(CostScale, FarLiftsAndTimesAreProved) {
 }
 
 /// 7599 mm at 1 mm/s in 7601.5 s, ramps of a second, alone and in a program: the optimum that Ipopt proves.
-TEST(CostScale, ShortRampsAreProved) {
+TEST(CostUnits, ShortRampsAreProved) {
     const LongCruise one{7599.0, 7601.5, 1.0 / 7601.5};
     EXPECT_NEAR(one.velocity() * one.lift_mm / one.seconds, 1.0, 1e-12);
     const Scene rise = one.scene(1.0003);
@@ -95,7 +95,7 @@ TEST(CostScale, ShortRampsAreProved) {
     }
 }
 
-TEST(CostScale, ProofRefersToScene) {
+TEST(CostUnits, ProofRefersToScene) {
     Scene scene = scene_of(study_scene(MotionType::drd, 3, 12));
     scene.objective.velocity *= 1e-9;
     scene.objective.acceleration *= 1e-9;
