@@ -328,8 +328,8 @@ double dimension_weight(const Scene& scene, const std::string& name) {
     return 0.0;
 }
 
-CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
-                     const HeldStrokes& strokes, const CostUnits& units) {
+CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference, const HeldStrokes& strokes,
+                     const CostUnits& units) {
     CamModel model(scene_family(scene, kind, strokes.directions));
     add_program_scales(model, scene);
     add_known_points(model, scene);

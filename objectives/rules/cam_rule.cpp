@@ -9,7 +9,8 @@ namespace {
 
 RuleData data_of(const CamFormula& formula, const CamVariables& cam) {
     RuleData data = formula;
-    for (const CamVariables::Variable& variable : cam.variables) data.parameters.push_back(variable.parameter);
+    for (const CamVariables::Variable& variable : cam.variables)
+        data.parameters.push_back(variable.parameter);
     return data;
 }
 

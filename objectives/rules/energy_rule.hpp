@@ -27,8 +27,7 @@ class EnergyRule final : public WholeMotionRule {
     [[nodiscard]] bool is_one_row() const override { return true; }
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
         const double share = energy_.rms(motion) / level_;
-        const double value =
-            limit() ? 0.5 * (share * share - 1.0) : share - (q.size() > 0 ? q[0] : 0.0);
+        const double value = limit() ? 0.5 * (share * share - 1.0) : share - (q.size() > 0 ? q[0] : 0.0);
         return {{{value, motion.begin()}, {0.0}}};
     }
     [[nodiscard]] AffineRow row(const MotionFamily&, double, Side, std::span<const double>) const override {

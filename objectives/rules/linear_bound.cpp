@@ -36,9 +36,9 @@ RuleValue LinearRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& 
         const auto& [velocity, acceleration, constant] = bound_.weights;
         rule.gradient[1] = velocity / bound_.scale;
         rule.gradient[2] = acceleration / bound_.scale;
-        rule.value = (velocity * point.derivative[1] + acceleration * point.derivative[2] + constant -
-                      bound_.bound) /
-                     bound_.scale;
+        rule.value =
+            (velocity * point.derivative[1] + acceleration * point.derivative[2] + constant - bound_.bound) /
+            bound_.scale;
         return rule;
     }
     const double weight = bound_.sign / bound_.scale;

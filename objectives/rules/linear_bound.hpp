@@ -16,7 +16,7 @@ struct LinearBound {
     std::string key;  ///< "limits.acceleration_m_s2.min", "motion.corridor[0].displacement_mm.min"
     int order = 0, sign = 1;
     double bound = 0.0;
-    double scale = 1.0;  ///< exceeding the bound by this is a violation of 100 %; > 0
+    double scale = 1.0;               ///< exceeding the bound by this is a violation of 100 %; > 0
     std::array<double, 3> weights{};  ///< of y', y'' and 1: of a motor, whose order is 2
     std::string remark = {};          ///< tells rows of one key apart
     int peak = -1;                    ///< the parameter of the problem that is q; −1: a limit

@@ -30,15 +30,15 @@ class WholeMotionRule;
 
 /// What a rule says of itself, besides its formula.
 struct RuleData {
-    std::string name;           ///< of a limit of the scene: its key as written by the user
-    int highest_order = 3;      ///< derivative of y in the formula: where it jumps, the rule may jump
-    bool limit = true;          ///< of the user's scene, as opposed to a peak variable's definition
-    bool linear = false;        ///< affine in the point and in q: its continuous maxima are then exact
+    std::string name;                  ///< of a limit of the scene: its key as written by the user
+    int highest_order = 3;             ///< derivative of y in the formula: where it jumps, the rule may jump
+    bool limit = true;                 ///< of the user's scene, as opposed to a peak variable's definition
+    bool linear = false;               ///< affine in the point and in q: its continuous maxima are then exact
     std::vector<int> parameters = {};  ///< of the problem: which of them are q_1 … q_m
     int sign = 0;                      ///< of its rows, as the remark (RowOrigin)
     std::string remark = {};
-    double scale = 1.0;                ///< a value of this is a violation of 100 %; > 0
-    std::vector<double> places = {};   ///< x where alone it holds, ascending; empty: at every cam angle
+    double scale = 1.0;               ///< a value of this is a violation of 100 %; > 0
+    std::vector<double> places = {};  ///< x where alone it holds, ascending; empty: at every cam angle
     std::array<double, 2> between = {-infinity, infinity};  ///< x between which it holds, both included
     /// The first grid has no rows of it: most motions satisfy it anyway, and the exchange adds violated rows.
     bool starts_without_rows = false;

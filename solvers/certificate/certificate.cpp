@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/certificate/certificate.hpp"
 
-#include "solvers/certificate/box_proof.hpp"
-
 #include "core/errors.hpp"
 #include "core/text/list_text.hpp"
 #include "core/word_of.hpp"
+#include "solvers/certificate/box_proof.hpp"
 
 #include <fmt/format.h>
 

@@ -310,8 +310,7 @@ class AngleSearch {
         if (!solution.motion) certificate.objective = infinity;
         std::vector<CaseProof> cases(boxes_.begin(), boxes_.end());
         for (std::size_t i = 0; i < cases.size(); ++i)
-            for (std::size_t k = 0; k < searched_.size(); ++k)
-                cases[i].region.push_back(words(boxes_[i], k));
+            for (std::size_t k = 0; k < searched_.size(); ++k) cases[i].region.push_back(words(boxes_[i], k));
         const bool nothing = take_cases(certificate, std::move(cases)) && !solution.motion;
         if (nothing) certificate.verdict = Verdict::infeasible;
         if (nothing || boxes_.size() == 1) certificate.proof = *boxes_.front().proof;

@@ -120,8 +120,8 @@ struct FreeKnotSearch {
     EvaluationCounts evaluations;
 };
 
-/// The starts one after the other, the first from the motion of `first`; in units of the posed objective until
-/// the best is handed out.
+/// The starts one after the other, the first from the motion of `first`; in units of the posed objective
+/// until the best is handed out.
 class BreakpointSearch {
  public:
     BreakpointSearch(const PlannedRun& run, const Solution& first, const SolveControl& control)

@@ -133,9 +133,8 @@ class DirectionSearch {
         std::vector<std::string> region;
         for (std::size_t k = 0; k < free_.size(); ++k)
             if (directions[k] != StrokeDirection::open)
-                region.push_back(
-                    fmt::format("{} {} or rests", strokes_[free_[k]].member,
-                                directions[k] == StrokeDirection::rises ? "rises" : "falls"));
+                region.push_back(fmt::format("{} {} or rests", strokes_[free_[k]].member,
+                                             directions[k] == StrokeDirection::rises ? "rises" : "falls"));
         return region;
     }
 

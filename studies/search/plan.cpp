@@ -51,8 +51,7 @@ void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
     if (scene.spline.free_knots && !scene.motion.prescribed())
         plan.breakpoints =
             static_cast<int>(start_breakpoints(scene).size() - held_breakpoints(scene).size()) - 2;
-    plan.displacements =
-        static_cast<int>(free_displacements(posed.scene, posed.model.design).joints.size());
+    plan.displacements = static_cast<int>(free_displacements(posed.scene, posed.model.design).joints.size());
     plan.dimensions = static_cast<int>(
         std::ranges::count(posed.model.parameters, Parameter::Kind::dimension, &Parameter::kind));
 }

@@ -44,7 +44,8 @@ struct SolvePlan {
     std::string next_solver;
     DesignKind design = DesignKind::states;
     bool contradiction = false;  ///< conditions contradict each other: infeasible without a search
-    double cost_scale = 1.0;     ///< the objective is divided by this while it is solved (objectives/cost_units.hpp)
+    double cost_scale =
+        1.0;  ///< the objective is divided by this while it is solved (objectives/cost_units.hpp)
     bool strokes_first_free =
         false;  ///< without the rules of strokes; with them if the motion leaves a range
     std::vector<ConvexOver> relaxations;  ///< solved first, without the rules that are not convex there

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "objectives/rules/torque_rule.hpp"
+
 #include "core/nlp.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/torque_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "tests/objectives/rules/plane_check.hpp"
 #include "tests/support/derivative_check.hpp"
