@@ -146,7 +146,7 @@ class WholeMotionRule : public PointRule {
     }
 
  protected:
-    using PointRule::PointRule;
+    explicit WholeMotionRule(RuleData data) : PointRule(std::move(data)) {}
 };
 
 }  // namespace camopt
