@@ -15,53 +15,46 @@ constexpr double default_reference = 1e-3;
 // Rows of the first grid; others are added where they are passed.
 constexpr std::size_t most_first_rows = 200;
 
+/// Of each run of rows on one side of the motion the farthest. setting: the side, the row.
+std::vector<WholeMotionRule::Place> farthest_rows(const std::vector<MeasuredRow>& rows, const Motion& motion,
+                                                  double reference) {
+    std::vector<WholeMotionRule::Place> all;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const double off = (motion.at(rows[k].x).derivative[0] - rows[k].y) / reference;
+        const double sign = off < 0.0 ? -1.0 : 1.0;
+        const WholeMotionRule::Place place{{std::abs(off), rows[k].x}, {sign, static_cast<double>(k)}};
+        if (all.empty() || all.back().setting[0] != sign)
+            all.push_back(place);
+        else if (place.where.value > all.back().where.value)
+            all.back() = place;
+    }
+    return all;
+}
+
 /// ± (y(x_k) − t_k) / reference <= q.
-class DeviationRule final : public WholeMotionRule {
- public:
-    DeviationRule(std::vector<MeasuredRow> rows, int parameter, double reference)
-        : WholeMotionRule({"deviation", 0, false, true, {parameter}}),
-          rows_(std::move(rows)),
-          reference_(reference) {}
-
-    /// Of each run of rows on one side of the motion the farthest.
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
-        const double own = q.size() > 0 ? q[0] : 0.0;
-        std::vector<Place> all;
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            const double off = (motion.at(rows_[k].x).derivative[0] - rows_[k].y) / reference_;
-            const double sign = off < 0.0 ? -1.0 : 1.0;
-            const Place place{{std::abs(off) - own, rows_[k].x}, {sign, static_cast<double>(k)}};
-            if (all.empty() || all.back().setting[0] != sign)
-                all.push_back(place);
-            else if (place.where.value > all.back().where.value)
-                all.back() = place;
-        }
-        return all;
-    }
-    [[nodiscard]] AffineRow row(const MotionFamily& family, double, Side,
-                                std::span<const double> setting) const override {
-        const MeasuredRow& measured = rows_[static_cast<std::size_t>(setting[1])];
-        const double factor = setting[0] / reference_;
+WholeMotionRule deviation_rule(const std::vector<MeasuredRow>& rows, int parameter, double reference) {
+    WholeMotionRule::Parts parts;
+    parts.maxima = [rows, reference](const Motion& motion, double) {
+        return farthest_rows(rows, motion, reference);
+    };
+    parts.row = [rows, reference](const MotionFamily& family, double, Side,
+                                  WholeMotionRule::Setting setting) {
+        const MeasuredRow& measured = rows[static_cast<std::size_t>(setting[1])];
+        const double factor = setting[0] / reference;
         return combined({-factor * measured.y, {}, {}}, factor, family.functional(measured.x, 0));
-    }
-    [[nodiscard]] std::vector<Place> first() const override {
-        std::vector<Place> all;
-        const std::size_t stride = (rows_.size() + most_first_rows - 1) / most_first_rows;
-        for (std::size_t k = 0; k < rows_.size(); k += stride)
-            for (const double sign : {1.0, -1.0})
-                all.push_back({{0.0, rows_[k].x}, {sign, static_cast<double>(k)}});
-        return all;
-    }
-    [[nodiscard]] std::string remark(std::span<const double> setting) const override {
+    };
+    parts.first.clear();
+    const std::size_t stride = (rows.size() + most_first_rows - 1) / most_first_rows;
+    for (std::size_t k = 0; k < rows.size(); k += stride)
+        for (const double sign : {1.0, -1.0})
+            parts.first.push_back({{0.0, rows[k].x}, {sign, static_cast<double>(k)}});
+    parts.remark = [](WholeMotionRule::Setting setting) {
         return fmt::format("row {} {}", static_cast<int>(setting[1]) + 1, setting[0] > 0.0 ? "+" : "-");
-    }
+    };
+    return {{"deviation", 0, false, true, {parameter}}, std::move(parts)};
+}
 
- private:
-    std::vector<MeasuredRow> rows_;
-    double reference_;
-};
-
-EnergyRule::Energy energy_of(const std::vector<MeasuredRow>& rows) {
+Energy energy_of(const std::vector<MeasuredRow>& rows) {
     return {[rows](const Motion& motion) { return deviation_of(rows, motion).rms; },
             [rows](const MotionFamily& family, double level) {
                 EnergySum sum(family.size());
@@ -115,11 +108,11 @@ void add_deviation_terms(CamModel& model, const Scene& scene) {
         Parameter parameter{term.name, peak ? Parameter::Kind::response : Parameter::Kind::energy, 0,
                             reference, weight};
         if (peak) {
-            parameter.defined_by = std::make_shared<const DeviationRule>(std::move(rows), index, reference);
+            parameter.defined_by =
+                std::make_shared<const WholeMotionRule>(deviation_rule(rows, index, reference));
             model.rules.emplace_back(parameter.defined_by);
         } else {
-            parameter.defined_by =
-                std::make_shared<const EnergyRule>(term.name, energy_of(rows), reference, index);
+            parameter.defined_by = energy_rule(term.name, energy_of(rows), reference, index);
         }
         model.parameters.push_back(std::move(parameter));
     }

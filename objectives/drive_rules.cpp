@@ -64,77 +64,57 @@ void visit_parts(const std::vector<DriveSpan>& spans, double begin, double end, 
 }
 
 /// The largest |τ| / reference − q, as one rule of the whole motion. setting: the sign, the span.
-class MotorPeakRule final : public WholeMotionRule {
- public:
-    MotorPeakRule(const Scene& scene, const MotionFamily& family, int parameter, double reference)
-        : WholeMotionRule({"motor_torque", 2, false, true, {parameter}}),
-          torque_(drive_torque(*scene.drive, scene.motion)),
-          spans_(spans_of(scene, family)),
-          reference_(reference) {
-        for (const MotionFamily::Piece& piece : family.pieces())
-            if (!piece.copy) pieces_.push_back({piece.begin, piece.end, 0.0});
+WholeMotionRule motor_peak_rule(const Scene& scene, const MotionFamily& family, int parameter,
+                                double reference) {
+    struct OneSide {
+        LinearBound bound;
+        std::vector<double> setting;
+    };
+    const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
+    const std::vector<DriveSpan> spans = spans_of(scene, family);
+    std::vector<OneSide> sides;
+    for (std::size_t s = 0; s < spans.size(); ++s)
+        for (const double sign : {1.0, -1.0}) {
+            LinearBound bound{"motor_torque", 2};
+            bound.weights = torque_weights(torque, spans[s], sign / reference);
+            bound.from = spans[s].begin;
+            bound.until = spans[s].end;
+            sides.push_back({std::move(bound), {sign, static_cast<double>(s)}});
+        }
+    WholeMotionRule::Parts parts;
+    parts.first.clear();
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (piece.copy) continue;
+        for (const auto& [bound, setting] : sides) {
+            const double begin = std::max(piece.begin, bound.from), end = std::min(piece.end, bound.until);
+            if (!(end - begin > same_joint * (piece.end - piece.begin))) continue;
+            parts.first.push_back({{0.0, begin, Side::right}, setting});
+            parts.first.push_back({{0.0, 0.5 * (begin + end), Side::right}, setting});
+            parts.first.push_back({{0.0, end, Side::left}, setting});
+        }
     }
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
-        const double own = q.size() > 0 ? q[0] : 0.0;
-        std::vector<Place> all;
-        visit_rules([&](const LinearBound& bound, std::vector<double> setting) {
+    parts.maxima = [sides](const Motion& motion, double q) {
+        std::vector<WholeMotionRule::Place> all;
+        for (const auto& [bound, setting] : sides) {
             const std::vector<Extremum> maxima = rule_maxima(LinearRule(bound), motion, {});
-            Extremum worst = largest_of(maxima);
-            for (Extremum one : maxima) {
-                if (one.value <= own || one.at == worst.at) continue;
-                one.value -= own;
-                all.push_back({one, setting});
-            }
-            worst.value -= own;
-            all.push_back({worst, std::move(setting)});
-        });
+            const Extremum worst = largest_of(maxima);
+            for (const Extremum& one : maxima)
+                if (one.value > q && one.at != worst.at) all.push_back({one, setting});
+            all.push_back({worst, setting});
+        }
         return all;
-    }
-    [[nodiscard]] AffineRow row(const MotionFamily& family, double at, Side side,
-                                std::span<const double> setting) const override {
-        const DriveSpan& span = spans_[static_cast<std::size_t>(setting[1])];
-        const auto [velocity, acceleration, constant] =
-            torque_weights(torque_, span, setting[0] / reference_);
-        AffineRow sum{constant, {}, {}};
-        sum = combined(sum, velocity, family.functional(at, 1, side));
-        return combined(sum, acceleration, family.functional(at, 2, side));
-    }
-    [[nodiscard]] std::vector<Place> first() const override {
-        std::vector<Place> all;
-        for (const DriveSpan& piece : pieces_)
-            visit_rules([&](const LinearBound& bound, const std::vector<double>& setting) {
-                const double begin = std::max(piece.begin, bound.from),
-                             end = std::min(piece.end, bound.until);
-                if (!(end - begin > same_joint * (piece.end - piece.begin))) return;
-                all.push_back({{0.0, begin, Side::right}, setting});
-                all.push_back({{0.0, 0.5 * (begin + end), Side::right}, setting});
-                all.push_back({{0.0, end, Side::left}, setting});
-            });
-        return all;
-    }
-    [[nodiscard]] std::string remark(std::span<const double> setting) const override {
+    };
+    parts.row = [sides](const MotionFamily& of, double at, Side side, WholeMotionRule::Setting setting) {
+        const std::size_t index = 2 * static_cast<std::size_t>(setting[1]) + (setting[0] < 0.0 ? 1 : 0);
+        const auto [velocity, acceleration, constant] = sides[index].bound.weights;
+        const AffineRow sum = combined({constant, {}, {}}, velocity, of.functional(at, 1, side));
+        return combined(sum, acceleration, of.functional(at, 2, side));
+    };
+    parts.remark = [](WholeMotionRule::Setting setting) {
         return setting[0] > 0.0 ? "torque +" : "torque -";
-    }
-
- private:
-    template <class Visit>
-    void visit_rules(Visit&& visit) const {
-        for (std::size_t s = 0; s < spans_.size(); ++s)
-            for (const double sign : {1.0, -1.0}) {
-                LinearBound bound;
-                bound.key = name();
-                bound.order = 2;
-                bound.weights = torque_weights(torque_, spans_[s], sign / reference_);
-                bound.from = spans_[s].begin;
-                bound.until = spans_[s].end;
-                visit(bound, {sign, static_cast<double>(s)});
-            }
-    }
-
-    DriveTorque torque_;
-    std::vector<DriveSpan> spans_, pieces_;
-    double reference_;
-};
+    };
+    return {{"motor_torque", 2, false, true, {parameter}}, std::move(parts)};
+}
 
 /// Of the torque over the cycle.
 class MotorEnergy {
@@ -190,14 +170,13 @@ class MotorEnergy {
     double cycle_;
 };
 
-std::shared_ptr<const EnergyRule> motor_energy_rule(std::string name, const Scene& scene,
-                                                    const MotionFamily& family, double level, int term) {
+std::shared_ptr<const WholeMotionRule> motor_energy_rule(std::string name, const Scene& scene,
+                                                         const MotionFamily& family, double level, int term) {
     const auto energy = std::make_shared<const MotorEnergy>(scene, family);
-    return std::make_shared<const EnergyRule>(
-        std::move(name),
-        EnergyRule::Energy{[energy](const Motion& motion) { return energy->rms(motion); },
-                           [energy](const MotionFamily& own, double of) { return energy->form(own, of); }},
-        level, term);
+    return energy_rule(std::move(name),
+                       {[energy](const Motion& motion) { return energy->rms(motion); },
+                        [energy](const MotionFamily& own, double of) { return energy->form(own, of); }},
+                       level, term);
 }
 
 /// |τ n|: a polynomial on a spline.
@@ -360,7 +339,7 @@ DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
         if (one.value > worst.value) worst = one;
     };
     figures.torque.at = figures.speed.at = figures.power.at = figures.share_of_curve.at = motion.begin();
-    for (const auto& place : MotorPeakRule(scene, family, 0, 1.0).maxima(motion, {}))
+    for (const auto& place : motor_peak_rule(scene, family, 0, 1.0).maxima(motion, {}))
         raise(figures.torque, place.where);
     for (const DriveSpan& span : spans)
         for (const int sign : {1, -1})
@@ -438,8 +417,8 @@ void add_drive_rules(CamModel& model, const Scene& scene) {
         Parameter parameter{term.name, peak ? Parameter::Kind::response : Parameter::Kind::energy, 0,
                             reference, weight};
         if (peak)
-            parameter.defined_by =
-                std::make_shared<const MotorPeakRule>(scene, model.design, index, reference);
+            parameter.defined_by = std::make_shared<const WholeMotionRule>(
+                motor_peak_rule(scene, model.design, index, reference));
         else
             parameter.defined_by = motor_energy_rule(term.name, scene, model.design, reference, index);
         (peak ? motor.peak_parameter : motor.rms_parameter) = index;

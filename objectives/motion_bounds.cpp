@@ -102,43 +102,40 @@ void visit_motion(const std::vector<double>& breakpoints, Visit&& visit) {
         visit_quadrature(breakpoints[i], breakpoints[i + 1], parts_of_law, visit);
 }
 
+/// 1 − (1/L) ∫ y dx, divided by `reference`, by the entries of the family.
+AffineRow area_row(const MotionFamily& family, double reference) {
+    std::vector<double> weights(static_cast<std::size_t>(family.size()), 0.0);
+    const double factor = -1.0 / (reference * (family.end() - family.begin()));
+    AffineRow sum{1.0 / reference, {}, {}};
+    std::vector<double> breakpoints;
+    for (const MotionFamily::Piece& piece : family.pieces()) breakpoints.push_back(piece.begin);
+    breakpoints.push_back(family.end());
+    visit_motion(breakpoints, [&](double x, double weight) {
+        const AffineRow y = family.functional(x, 0);
+        sum.offset += factor * weight * y.offset;
+        for (std::size_t k = 0; k < y.columns.size(); ++k)
+            weights[y.columns[k]] += factor * weight * y.weights[k];
+    });
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+        if (weights[j] == 0.0) continue;
+        sum.columns.push_back(static_cast<int>(j));
+        sum.weights.push_back(weights[j]);
+    }
+    return sum;
+}
+
 /// 1 − (1/L) ∫ y dx <= q · reference.
-class AreaRule final : public WholeMotionRule {
- public:
-    AreaRule(int parameter, double reference)
-        : WholeMotionRule({"area", 0, false, true, {parameter}}), reference_(reference) {}
-
-    [[nodiscard]] bool is_one_row() const override { return true; }
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
-        const double own = q.size() > 0 ? q[0] : 0.0;
-        return {{{lost_area(motion) / reference_ - own, motion.begin()}, {0.0}}};
-    }
-    [[nodiscard]] AffineRow row(const MotionFamily& family, double, Side,
-                                std::span<const double>) const override {
-        std::vector<double> weights(static_cast<std::size_t>(family.size()), 0.0);
-        const double factor = -1.0 / (reference_ * (family.end() - family.begin()));
-        AffineRow sum{1.0 / reference_, {}, {}};
-        std::vector<double> breakpoints;
-        for (const MotionFamily::Piece& piece : family.pieces()) breakpoints.push_back(piece.begin);
-        breakpoints.push_back(family.end());
-        visit_motion(breakpoints, [&](double x, double weight) {
-            const AffineRow y = family.functional(x, 0);
-            sum.offset += factor * weight * y.offset;
-            for (std::size_t k = 0; k < y.columns.size(); ++k)
-                weights[y.columns[k]] += factor * weight * y.weights[k];
-        });
-        for (std::size_t j = 0; j < weights.size(); ++j) {
-            if (weights[j] == 0.0) continue;
-            sum.columns.push_back(static_cast<int>(j));
-            sum.weights.push_back(weights[j]);
-        }
-        return sum;
-    }
-    [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
-
- private:
-    double reference_;
-};
+WholeMotionRule area_rule(int parameter, double reference) {
+    WholeMotionRule::Parts parts;
+    parts.maxima = [reference](const Motion& motion, double) {
+        return std::vector<WholeMotionRule::Place>{{{lost_area(motion) / reference, motion.begin()}, {0.0}}};
+    };
+    parts.row = [reference](const MotionFamily& family, double, Side, WholeMotionRule::Setting) {
+        return area_row(family, reference);
+    };
+    parts.is_one_row = true;
+    return {{"area", 0, false, true, {parameter}}, std::move(parts)};
+}
 
 /// Whether a motion of the scene may lie above one lift: then the area that it loses may be negative.
 bool may_pass_lift(const Scene& scene, const MotionFamily& family) {
@@ -158,7 +155,7 @@ void add_area(CamModel& model, const Scene& scene) {
     if (!(scene.objective.area > 0.0)) return;
     const int index = static_cast<int>(model.parameters.size());
     const double reference = area_reference(scene, model.design);
-    const auto rule = std::make_shared<const AreaRule>(index, reference);
+    const auto rule = std::make_shared<const WholeMotionRule>(area_rule(index, reference));
     Parameter area{"area", Parameter::Kind::response, 0, reference, scene.objective.area};
     if (may_pass_lift(scene, model.design)) area.lower = (1.0 - farthest_displacement) / reference;
     area.defined_by = rule;

@@ -61,43 +61,27 @@ std::array<AffineRow, 2> harmonic_rows(const MotionSpec& spec, const MotionFamil
 
 constexpr int first_directions = 8;
 
-/// (a_k cos φ + b_k sin φ) / level − 1 <= 0. setting: φ.
-class HarmonicRule final : public WholeMotionRule {
- public:
-    /// For the motions of this family.
-    HarmonicRule(const Scene& scene, const MotionFamily& family, int order)
-        : WholeMotionRule({scene.limits.spring_harmonic->key, 0, true, true}),
-          spec_(scene.motion),
-          order_(order),
-          level_(scene.limits.spring_harmonic->value / scene.motion.lift),
-          rows_(harmonic_rows(spec_, family, order)) {}
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd&) const override {
-        const auto [cosine, sine] = harmonic_of(spec_, motion, order_);
-        const double value = std::hypot(cosine, sine) / level_ - 1.0;
-        return {{{value, motion.begin()}, {std::atan2(sine, cosine)}}};
-    }
-    [[nodiscard]] AffineRow row(const MotionFamily&, double, Side,
-                                std::span<const double> setting) const override {
-        const AffineRow row = combined({-1.0, {}, {}}, std::cos(setting[0]) / level_, rows_[0]);
-        return combined(row, std::sin(setting[0]) / level_, rows_[1]);
-    }
-    [[nodiscard]] std::vector<Place> first() const override {
-        std::vector<Place> all;
-        all.reserve(first_directions);
-        for (int k = 0; k < first_directions; ++k)
-            all.push_back({{0.0, 0.0}, {units::turn * k / first_directions}});
-        return all;
-    }
-    [[nodiscard]] std::string remark(std::span<const double>) const override {
-        return fmt::format("harmonic {}", order_);
-    }
-
- private:
-    MotionSpec spec_;
-    int order_;
-    double level_;
-    std::array<AffineRow, 2> rows_;
-};
+/// (a_k cos φ + b_k sin φ) / level − 1 <= 0, for the motions of this family. setting: φ.
+WholeMotionRule harmonic_rule(const Scene& scene, const MotionFamily& family, int order) {
+    const WrittenLimit& limit = *scene.limits.spring_harmonic;
+    const double level = limit.value / scene.motion.lift;
+    WholeMotionRule::Parts parts;
+    parts.maxima = [spec = scene.motion, order, level](const Motion& motion, double) {
+        const auto [cosine, sine] = harmonic_of(spec, motion, order);
+        const double value = std::hypot(cosine, sine) / level - 1.0;
+        return std::vector<WholeMotionRule::Place>{{{value, motion.begin()}, {std::atan2(sine, cosine)}}};
+    };
+    parts.row = [rows = harmonic_rows(scene.motion, family, order), level](const MotionFamily&, double, Side,
+                                                                           WholeMotionRule::Setting setting) {
+        const AffineRow row = combined({-1.0, {}, {}}, std::cos(setting[0]) / level, rows[0]);
+        return combined(row, std::sin(setting[0]) / level, rows[1]);
+    };
+    parts.first.clear();
+    for (int k = 0; k < first_directions; ++k)
+        parts.first.push_back({{0.0, 0.0}, {units::turn * k / first_directions}});
+    parts.remark = [order](WholeMotionRule::Setting) { return fmt::format("harmonic {}", order); };
+    return {{limit.key, 0, true, true}, std::move(parts)};
+}
 
 }  // namespace
 
@@ -116,7 +100,8 @@ void add_spring_rules(CamModel& model, const Scene& scene) {
     if (!scene.limits.spring_harmonic) return;
     const auto [first, last] = limited_harmonics(scene);
     for (int order = first; order <= last; ++order)
-        model.rules.emplace_back(std::make_shared<const HarmonicRule>(scene, model.design, order));
+        model.rules.emplace_back(
+            std::make_shared<const WholeMotionRule>(harmonic_rule(scene, model.design, order)));
 }
 
 }  // namespace camopt

@@ -126,27 +126,27 @@ AffineRow dense_row(const Eigen::RowVectorXd& weights) {
     return row;
 }
 
-class ResponseRule final : public WholeMotionRule {
+/// The parts of a rule. setting: the speed of the cam, the event, the sign or the phases of the modes.
+class AskedResponse {
  public:
-    ResponseRule(const Scene& scene, Asked asked, std::vector<int> parameters,
-                 std::shared_ptr<WorstSpeeds> speeds)
-        : WholeMotionRule({asked.name, 3, asked.limit, true, std::move(parameters)}),
-          scene_(scene),
+    using Place = WholeMotionRule::Place;
+    using Setting = WholeMotionRule::Setting;
+
+    AskedResponse(const Scene& scene, Asked asked, std::shared_ptr<WorstSpeeds> speeds)
+        : scene_(scene),
           asked_(std::move(asked)),
           events_(motion_events(scene.motion)),
           speeds_(std::move(speeds)) {}
 
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
-        const double own = q.size() > 0 ? q[0] : 0.0;
+    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, double q) const {
         const auto events = speeds_->of(motion, asked_.kind);
         std::vector<Place> all;
         for (std::size_t event = 0; event < events->size(); ++event)
             for (const SpeedMaximum& at : (*events)[event].speeds)
-                add_places(all, at.speed, event, (*events)[event].pieces, own);
+                add_places(all, at.speed, event, (*events)[event].pieces, q);
         return all;
     }
-    [[nodiscard]] AffineRow row(const MotionFamily& family, double at, Side side,
-                                std::span<const double> setting) const override {
+    [[nodiscard]] AffineRow row(const MotionFamily& family, double at, Side side, Setting setting) const {
         const auto train = train_at(scene_, setting[0]);
         const EventRows& rows = rows_of(family, static_cast<std::size_t>(setting[1]));
         AffineRow row;
@@ -170,7 +170,7 @@ class ResponseRule final : public WholeMotionRule {
             row.offset += asked_.kind == ResponseKind::contact_force ? asked_.level / asked_.size : -1.0;
         return row;
     }
-    [[nodiscard]] std::vector<Place> first() const override {
+    [[nodiscard]] std::vector<Place> first() const {
         const std::size_t modes =
             asked_.kind == ResponseKind::residual
                 ? static_cast<std::size_t>(train_at(scene_, *scene_.motion.speed)->modes().rows())
@@ -200,7 +200,7 @@ class ResponseRule final : public WholeMotionRule {
         }
         return all;
     }
-    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double> setting) const override {
+    [[nodiscard]] std::vector<std::vector<double>> beside(Setting setting) const {
         std::vector<std::vector<double>> all;
         if (asked_.kind != ResponseKind::residual) return all;
         for (int k = 0; k < directions; ++k) {
@@ -210,7 +210,7 @@ class ResponseRule final : public WholeMotionRule {
         }
         return all;
     }
-    [[nodiscard]] std::string remark(std::span<const double> setting) const override {
+    [[nodiscard]] std::string remark(Setting setting) const {
         const double rpm = setting[0] / units::revolution_per_minute;
         return events_.size() == 1 ? fmt::format("{:.6g} rpm", rpm)
                                    : fmt::format("{:.6g} rpm, motion {}", rpm, setting[1] + 1);
@@ -226,8 +226,7 @@ class ResponseRule final : public WholeMotionRule {
             const Eigen::VectorXcd modes = response.residual_modes();
             std::vector<double> setting = {speed, number};
             for (const std::complex<double>& mode : modes) setting.push_back(std::arg(mode));
-            all.push_back(
-                {{value_of(modes.cwiseAbs().sum(), q), end_of(events_[event]), Side::left}, setting});
+            all.push_back({{value_of(modes.cwiseAbs().sum()), end_of(events_[event]), Side::left}, setting});
             return;
         }
         const bool force = asked_.kind == ResponseKind::contact_force;
@@ -239,11 +238,11 @@ class ResponseRule final : public WholeMotionRule {
             std::vector<Extremum> places = response.maxima(reading, sign, f_at(q), true);
             if (places.empty()) places.push_back(response.largest(reading, sign, true));
             for (const Extremum& place : places)
-                all.push_back({{value_of(place.value, q), place.at, place.side}, setting});
+                all.push_back({{value_of(place.value), place.at, place.side}, setting});
         }
     }
     [[nodiscard]] AffineRow residual_row(const Eigen::MatrixXd& state, const TrainAtSpeed& train,
-                                         std::span<const double> setting) const {
+                                         Setting setting) const {
         Eigen::RowVectorXd direction = Eigen::RowVectorXd::Zero(state.rows());
         for (Eigen::Index k = 0; k < train.modes().rows(); ++k) {
             const double phase = setting[2 + static_cast<std::size_t>(k)];
@@ -257,9 +256,9 @@ class ResponseRule final : public WholeMotionRule {
             for (const MotionEvent& one : events_) rows_.emplace_back(family, one, train_of(scene_));
         return rows_[event];
     }
-    /// f of the train → the rule: f / size − q, or f / level − 1, or (least + f) / size with f = −F.
-    [[nodiscard]] double value_of(double f, double q) const {
-        if (!asked_.limit) return f / asked_.size - q;
+    /// f of the train → the rule at q = 0: f / size, or f / level − 1, or (least + f) / size with f = −F.
+    [[nodiscard]] double value_of(double f) const {
+        if (!asked_.limit) return f / asked_.size;
         if (asked_.kind == ResponseKind::contact_force) return (asked_.level + f) / asked_.size;
         return f / asked_.size - 1.0;
     }
@@ -278,12 +277,29 @@ class ResponseRule final : public WholeMotionRule {
     mutable std::vector<EventRows> rows_;
 };
 
+/// `parameters`: that of a term.
+std::shared_ptr<const WholeMotionRule> response_rule(const Scene& scene, const Asked& asked,
+                                                     std::vector<int> parameters,
+                                                     std::shared_ptr<WorstSpeeds> speeds) {
+    const auto response = std::make_shared<const AskedResponse>(scene, asked, std::move(speeds));
+    WholeMotionRule::Parts parts;
+    parts.maxima = [response](const Motion& motion, double q) { return response->maxima(motion, q); };
+    parts.row = [response](const MotionFamily& family, double at, Side side, AskedResponse::Setting setting) {
+        return response->row(family, at, side, setting);
+    };
+    parts.first = response->first();
+    parts.beside = [response](AskedResponse::Setting setting) { return response->beside(setting); };
+    parts.remark = [response](AskedResponse::Setting setting) { return response->remark(setting); };
+    return std::make_shared<const WholeMotionRule>(
+        RuleData{asked.name, 3, asked.limit, true, std::move(parameters)}, std::move(parts));
+}
+
 void add_response_rule(CamModel& model, const Scene& scene, const ResponseTerm& term,
                        const std::shared_ptr<WorstSpeeds>& speeds) {
     const int index = static_cast<int>(model.parameters.size());
     const double reference = response_reference(scene, term);
     const Asked asked{kind_of(term.figure), term.name, false, 0.0, reference};
-    const auto rule = std::make_shared<const ResponseRule>(scene, asked, std::vector<int>{index}, speeds);
+    const auto rule = response_rule(scene, asked, {index}, speeds);
     Parameter peak{term.name, Parameter::Kind::response, 0, reference, term.weight_in(scene.objective)};
     peak.defined_by = rule;
     model.parameters.push_back(std::move(peak));
@@ -302,7 +318,7 @@ void add_response_limit(CamModel& model, const Scene& scene, LimitedFigure figur
         asked.size = std::max(limit->value, scene.dynamics->preload);
         if (asked.size == 0.0) asked.size = scene.dynamics->return_stiffness * scene.motion.lift;
     }
-    model.rules.emplace_back(std::make_shared<const ResponseRule>(scene, asked, std::vector<int>{}, speeds));
+    model.rules.emplace_back(response_rule(scene, asked, {}, speeds));
 }
 
 WorstResponse worst_over(const Scene& scene, ResponseKind kind, const Motion& motion,

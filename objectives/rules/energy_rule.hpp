@@ -8,39 +8,26 @@
 
 namespace camopt {
 
-class EnergyRule final : public WholeMotionRule {
- public:
-    struct Energy {
-        std::function<double(const Motion&)> rms;                        ///< sqrt(m)
-        std::function<QuadraticForm(const MotionFamily&, double)> form;  ///< m / level², of the level
-    };
-
-    /// `term`: its parameter; −1: a limit.
-    EnergyRule(std::string name, Energy energy, double level, int term)
-        : WholeMotionRule({.name = std::move(name),
-                           .highest_order = 2,
-                           .limit = term < 0,
-                           .parameters = term < 0 ? std::vector<int>{} : std::vector{term}}),
-          energy_(std::move(energy)),
-          level_(level) {}
-    [[nodiscard]] Curvature curvature(double, double) const override { return Curvature::convex; }
-    [[nodiscard]] bool is_one_row() const override { return true; }
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
-        const double share = energy_.rms(motion) / level_;
-        const double value = limit() ? 0.5 * (share * share - 1.0) : share - (q.size() > 0 ? q[0] : 0.0);
-        return {{{value, motion.begin()}, {0.0}}};
-    }
-    [[nodiscard]] AffineRow row(const MotionFamily&, double, Side, std::span<const double>) const override {
-        throw ModelError(name() + ": a quadratic rule has no linear row");
-    }
-    [[nodiscard]] std::optional<QuadraticForm> form(const MotionFamily& family) const override {
-        return energy_.form(family, level_);
-    }
-    [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
-
- private:
-    Energy energy_;
-    double level_;
+struct Energy {
+    std::function<double(const Motion&)> rms;                        ///< sqrt(m)
+    std::function<QuadraticForm(const MotionFamily&, double)> form;  ///< m / level², of the level
 };
+
+/// `term`: its parameter; −1: a limit.
+[[nodiscard]] inline std::shared_ptr<const WholeMotionRule> energy_rule(std::string name, Energy energy,
+                                                                        double level, int term) {
+    RuleData data{.name = std::move(name), .highest_order = 2, .limit = term < 0};
+    if (term >= 0) data.parameters.push_back(term);
+    WholeMotionRule::Parts parts{.maxima = [rms = energy.rms, level, term](const Motion& motion, double) {
+        const double share = rms(motion) / level;
+        const double value = term < 0 ? 0.5 * (share * share - 1.0) : share;
+        return std::vector<WholeMotionRule::Place>{{{value, motion.begin()}, {0.0}}};
+    }};
+    parts.is_one_row = true;
+    parts.form = [form = std::move(energy.form), level](const MotionFamily& family) {
+        return form(family, level);
+    };
+    return std::make_shared<const WholeMotionRule>(std::move(data), std::move(parts));
+}
 
 }  // namespace camopt

@@ -109,44 +109,67 @@ class PointRule {
 // A setting identifies a row besides its location: a speed of the cam, a direction. Rows are added where the
 // rule is largest over locations and settings together.
 
-class WholeMotionRule : public PointRule {
+class WholeMotionRule final : public PointRule {
  public:
     struct Place {
         Extremum where;
         std::vector<double> setting;
     };
+    using Setting = std::span<const double>;
 
-    /// The local maxima along the motion over all settings, the largest among them; q as in evaluate().
-    [[nodiscard]] virtual std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const = 0;
-    /// The rule at q = 0 by the entries of the family.
-    [[nodiscard]] virtual AffineRow row(const MotionFamily& family, double at, Side side,
-                                        std::span<const double> setting) const = 0;
-    /// The rows of the first grid: so many that a motion that satisfies them is nearly feasible between them.
-    /// Values do not count.
-    [[nodiscard]] virtual std::vector<Place> first() const = 0;
-    /// It is one row, that of first(): no motion needs another.
-    [[nodiscard]] virtual bool is_one_row() const { return false; }
-    /// Further settings whose rows are added together with those of this one.
-    [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> /*setting*/) const {
-        return {};
+    struct Parts {
+        /// The local maxima along the motion over all settings, the largest among them, at q = 0; those below
+        /// q may be left out.
+        std::function<std::vector<Place>(const Motion&, double q)> maxima;
+        /// The rule at q = 0 by the entries of the family; none: it is quadratic.
+        std::function<AffineRow(const MotionFamily&, double at, Side, Setting)> row = {};
+        /// The rows of the first grid: so many that a motion that satisfies them is nearly feasible between
+        /// them. Values do not count.
+        std::vector<Place> first = {{{0.0, 0.0}, {0.0}}};
+        bool is_one_row = false;  ///< that of `first`: no motion needs another
+        /// Further settings whose rows are added together with those of this one.
+        std::function<std::vector<std::vector<double>>(Setting)> beside = {};
+        std::function<std::string(Setting)> remark = {};  ///< identifies the row: "310 rpm"
+        /// Of a rule that is quadratic: (form − 1) / 2, a convex form of the entries of the family, one row.
+        std::function<QuadraticForm(const MotionFamily&)> form = {};
+    };
+
+    WholeMotionRule(RuleData data, Parts parts) : PointRule(std::move(data)), parts_(std::move(parts)) {}
+
+    /// q as in evaluate(), or none: 0.
+    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const {
+        const double own = q.size() > 0 ? q[0] : 0.0;
+        std::vector<Place> places = parts_.maxima(motion, own);
+        for (Place& place : places) place.where.value -= own;
+        return places;
     }
-    /// Identifies the row: "310 rpm".
-    [[nodiscard]] virtual std::string remark(std::span<const double> /*setting*/) const { return {}; }
-
-    /// Of a rule that is quadratic: (form − 1) / 2, a convex form of the entries of the family. It is then
-    /// one row, and has no row().
-    [[nodiscard]] virtual std::optional<QuadraticForm> form(const MotionFamily& /*family*/) const {
-        return {};
+    [[nodiscard]] AffineRow row(const MotionFamily& family, double at, Side side, Setting setting) const {
+        if (!parts_.row) throw ModelError(name() + ": a quadratic rule has no linear row");
+        return parts_.row(family, at, side, setting);
+    }
+    [[nodiscard]] const std::vector<Place>& first() const { return parts_.first; }
+    [[nodiscard]] bool is_one_row() const { return parts_.is_one_row; }
+    [[nodiscard]] std::vector<std::vector<double>> beside(Setting setting) const {
+        return parts_.beside ? parts_.beside(setting) : std::vector<std::vector<double>>{};
+    }
+    [[nodiscard]] std::string remark(Setting setting) const {
+        return parts_.remark ? parts_.remark(setting) : std::string();
+    }
+    [[nodiscard]] std::optional<QuadraticForm> form(const MotionFamily& family) const {
+        return parts_.form ? std::optional(parts_.form(family)) : std::nullopt;
     }
 
-    [[nodiscard]] const WholeMotionRule* whole() const final { return this; }
+    [[nodiscard]] const WholeMotionRule* whole() const override { return this; }
+    [[nodiscard]] Curvature curvature(double, double) const override {
+        return linear() ? Curvature::linear : Curvature::convex;
+    }
     /// It does not depend on a single point; throws ModelError.
-    [[nodiscard]] RuleValue evaluate(const MotionPoint&, const Eigen::VectorXd&) const final {
+    [[nodiscard]] RuleValue evaluate(const MotionPoint&, const Eigen::VectorXd&) const override {
         throw ModelError(name() + ": a rule of the whole motion was evaluated at a single point");
     }
 
- protected:
-    explicit WholeMotionRule(RuleData data) : PointRule(std::move(data)) {}
+ private:
+    Parts parts_;
 };
 
 }  // namespace camopt
