@@ -84,7 +84,9 @@ class DirectionSearch {
             if (apart > contradiction) return contradicted(std::move(part), *whole, apart);
         }
         ++solves_;
-        part.solution = solve_with_strokes(scene_, {true, directions}, control_);
+        PosedScene posed(scene_, {true, directions});
+        KnownSolutions none;
+        part.solution = solve_motion({posed, plan_of(posed), control_, none});
         take_bound(part, part.solution.certificate);
         if (!part.solution.motion) return part;
         const std::vector<double> excursions = excursions_of(scene_, family_, *part.solution.motion);

@@ -15,7 +15,7 @@
 
 namespace camopt {
 
-/// With rules for every stroke of a scene whose objective is near one. Optimal within solver.gap of the least
+/// With rules for every stroke, in the units of the posed scene. Optimal within solver.gap of the least
 /// bound of all cases, infeasible where every case is.
 [[nodiscard]] Solution solve_held_strokes(const Scene& scene, const SolveControl& control);
 

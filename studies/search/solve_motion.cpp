@@ -250,10 +250,4 @@ Solution solve_motion(const PlannedRun& run) {
     return solution;
 }
 
-Solution solve_with_strokes(const Scene& scene, const HeldStrokes& strokes, const SolveControl& control) {
-    PosedScene posed(scene, strokes);
-    KnownSolutions none;
-    return solve_motion({posed, plan_of(posed), control, none});
-}
-
 }  // namespace camopt

@@ -10,8 +10,4 @@ namespace camopt {
 /// The best motion for given angles and breakpoints, with the strokes of the posed scene held or not.
 [[nodiscard]] Solution solve_motion(const PlannedRun& run);
 
-/// The same with rules for the strokes of a scene whose objective is near one.
-[[nodiscard]] Solution solve_with_strokes(const Scene& scene, const HeldStrokes& strokes,
-                                          const SolveControl& control);
-
 }  // namespace camopt
