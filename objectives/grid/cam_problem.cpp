@@ -35,8 +35,8 @@ void CamProblem::start_grid() {
 void CamProblem::start_rule(int index) {
     const PlacedRule& rule = model_->rules[index];
     if (const WholeMotionRule* const whole = rule->whole()) {
-        for (WholeMotionRule::Place& place : whole->first())
-            add_whole_sample({index, place.where.at, place.where.side, std::move(place.setting)});
+        for (const WholeMotionRule::Place& place : whole->first())
+            add_whole_sample({index, place.where.at, place.where.side, place.setting});
         return;
     }
     if (rule->starts_without_rows()) return;
