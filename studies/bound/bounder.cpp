@@ -298,3 +298,12 @@ std::optional<BoxBound> Bounder::run() {
 }
 
 }  // namespace camopt::box_bound
+
+namespace camopt {
+
+std::optional<BoxBound> bound_over_boxes(const CamModel& model, double incumbent,
+                                         const BoxBoundOptions& options, const SolveControl& control) {
+    return box_bound::Bounder(model, incumbent, options, control).run();
+}
+
+}  // namespace camopt

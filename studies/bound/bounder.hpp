@@ -5,9 +5,8 @@
 #pragma once
 
 #include "objectives/boxes/rule_over_box.hpp"
-#include "objectives/grid/cam_problem.hpp"
 #include "solvers/vertex/vertex_program.hpp"
-#include "studies/bound/box_bound_result.hpp"
+#include "studies/bound/box_bound.hpp"
 
 namespace camopt::box_bound {
 

@@ -6,7 +6,7 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/search/free_knots.hpp"
 #include "studies/search/planned_solve.hpp"
-#include "studies/search/settled_scene.hpp"
+#include "studies/search/presolve.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "solvers/registry.hpp"
 #include "studies/least/monotone.hpp"
 #include "studies/machine/machine_build.hpp"
-#include "studies/search/settled_scene.hpp"
+#include "studies/search/presolve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/format.h>

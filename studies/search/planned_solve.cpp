@@ -10,9 +10,9 @@
 #include "studies/measured/measured_fit.hpp"
 #include "studies/search/free_angles.hpp"
 #include "studies/search/free_knots.hpp"
-#include "studies/search/held_strokes.hpp"
-#include "studies/search/settled_scene.hpp"
+#include "studies/search/presolve.hpp"
 #include "studies/search/solve_motion.hpp"
+#include "studies/search/stroke_directions.hpp"
 #include "studies/search/stroke_excursions.hpp"
 
 #include <fmt/format.h>
@@ -118,7 +118,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         // Of free breakpoints those of every solve hold their strokes.
         if (may_end && (leaves_strokes || unbounded || leaves_its_strokes(solution))) {
             run.known.optima.withdraw();
-            Solution held = solve_held_strokes(posed.scene, timed);
+            Solution held = solve_stroke_directions(posed.scene, timed);
             take_bound_of_relaxation(held, solution);
             solution = std::move(held);
         }

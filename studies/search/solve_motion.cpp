@@ -6,7 +6,7 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
-#include "studies/search/settled_scene.hpp"
+#include "studies/search/presolve.hpp"
 #include "studies/search/start_search.hpp"
 #include "studies/search/tie_break.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/held_strokes.hpp"
+#include "studies/search/stroke_directions.hpp"
 
 #include "scene/cost_table.hpp"
 #include "studies/bound/branch_and_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/settled_scene.hpp"
+#include "studies/search/presolve.hpp"
 #include "studies/search/solve_motion.hpp"
 #include "studies/search/stroke_excursions.hpp"
 
@@ -173,7 +173,7 @@ class DirectionSearch {
 
 }  // namespace
 
-Solution solve_held_strokes(const Scene& scene, const SolveControl& control) {
+Solution solve_stroke_directions(const Scene& scene, const SolveControl& control) {
     return DirectionSearch(scene, control).run();
 }
 

@@ -17,7 +17,7 @@ namespace camopt {
 
 /// With rules for every stroke, in the units of the posed scene. Optimal within solver.gap of the least
 /// bound of all cases, infeasible where every case is.
-[[nodiscard]] Solution solve_held_strokes(const Scene& scene, const SolveControl& control);
+[[nodiscard]] Solution solve_stroke_directions(const Scene& scene, const SolveControl& control);
 
 /// Gives a solution the bound of a relaxation where that is the better one, and the verdict that follows.
 void take_bound_of_relaxation(Solution& held, const Solution& relaxed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/settled_scene.hpp"
+#include "studies/search/presolve.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"

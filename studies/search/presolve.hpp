@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is infeasible before anything is searched, and its proof: conditions on the motion that cannot be met
-// together, and a limit that is violated where every motion of the scene rests, at a displacement the scene
-// itself gives, with s' = 0.
+// Presolve: what is infeasible before anything is searched, and its proof: conditions on the motion that
+// cannot be met together, and a limit that is violated where every motion of the scene rests, at a
+// displacement the scene itself gives, with s' = 0.
 #pragma once
 
 #include "objectives/rules/model.hpp"
