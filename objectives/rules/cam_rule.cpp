@@ -8,7 +8,7 @@ namespace camopt {
 namespace {
 
 RuleData data_of(const CamFormula& formula, const CamVariables& cam) {
-    RuleData data = formula;
+    RuleData data = static_cast<const RuleData&>(formula);
     for (const CamVariables::Variable& variable : cam.variables)
         data.parameters.push_back(variable.parameter);
     return data;

@@ -11,8 +11,8 @@
 namespace camopt {
 
 struct PosedScene {
-    /// `scene` outlives it.
-    explicit PosedScene(const Scene& scene, HeldStrokes held = {});
+    /// `asked` outlives it.
+    explicit PosedScene(const Scene& asked, HeldStrokes held = {});
 
     /// The model of the same problem with another form of design vector.
     [[nodiscard]] CamModel model_as(DesignKind kind) const {
