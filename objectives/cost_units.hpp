@@ -7,7 +7,7 @@
 //
 // Σ w_i P_i / R_i keeps its value when w_i and R_i are divided by the same number, and only changes its unit
 // when all w_i are. Both are done by powers of two, so nothing is rounded: a proof in these units is one of
-// the scene, times a power of two (scale_cost, solvers/certificate/certificate.hpp).
+// the scene, times a power of two (scale_cost, solvers/certificate/scale_cost.hpp).
 #pragma once
 
 #include "scene/scene.hpp"

@@ -349,11 +349,11 @@ DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
     speed.order = 2;
     for (const double sign : {1.0, -1.0}) {
         speed.weights = {sign * torque.speed, 0.0, 0.0};
-        raise(figures.speed, speed.extreme_of(motion));
+        raise(figures.speed, extreme_of(speed, motion));
     }
     std::vector<WrittenBound> curve;
     if (!scene.limits.motor_curve.empty()) add_curve_bounds(curve, scene, spans);
-    for (const WrittenBound& bound : curve) raise(figures.share_of_curve, bound.extreme_of(motion));
+    for (const WrittenBound& bound : curve) raise(figures.share_of_curve, extreme_of(bound, motion));
     figures.rms_torque = MotorEnergy(scene, family).rms(motion);
     return figures;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/linear_bound.hpp"
 
-#include "objectives/rules/maxima/rule_maxima.hpp"
-
 namespace camopt {
 
 LinearRule::LinearRule(const LinearBound& bound)
@@ -55,13 +53,6 @@ PlacedRule LinearBound::rule() const {
     placed.datum = datum;
     placed.on_copies = on_copies;
     return placed;
-}
-
-Extremum LinearBound::extreme_of(const Motion& motion) const {
-    LinearBound plain = *this;
-    plain.bound = 0.0;
-    plain.scale = 1.0;
-    return largest_of(rule_maxima(LinearRule(plain), motion, {}));
 }
 
 }  // namespace camopt

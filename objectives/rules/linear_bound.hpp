@@ -36,8 +36,6 @@ struct LinearBound {
 
     [[nodiscard]] bool of_motor() const { return weights != std::array<double, 3>{}; }
     [[nodiscard]] PlacedRule rule() const;
-    /// Where the motion comes nearest to the bound, or exceeds it most: sign · y^{(order)}, or the sum.
-    [[nodiscard]] Extremum extreme_of(const Motion& motion) const;
 };
 
 /// A limit as the scene has it.

@@ -169,10 +169,6 @@ struct Certificate {
 [[nodiscard]] double stationarity_of(const Nlp& problem, const Eigen::VectorXd& x,
                                      const Eigen::VectorXd& row_multipliers, double active);
 
-/// The certificate of a problem becomes that of the same problem with `factor` times its cost, a power of
-/// two: nothing is rounded. The gap is the larger one of both, so that it says no less in either.
-void scale_cost(Certificate& certificate, double factor);
-
 // Removes the proof from a certificate. For the modules that verify results.
 
 /// No bound, no gap, no proof: the proof belongs to another motion or problem.

@@ -3,6 +3,7 @@
 
 #include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/spring_rules.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -133,7 +134,7 @@ std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& mo
     std::vector<ConstraintReport> all;
     double nearest = 0.0;  // of the bounds with one key: how far the motion exceeds it, by its scale
     for (const WrittenBound& bound : motion_bounds(scene)) {
-        const Extremum worst = bound.extreme_of(motion);
+        const Extremum worst = extreme_of(bound, motion);
         const double excess = (worst.value - bound.bound) / bound.scale;
         const bool same = !all.empty() && all.back().key == bound.key;
         if (same && excess <= nearest) continue;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/free_angles.hpp"
 
-#include "motions/laws/law_catalogue.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/part_names.hpp"
 #include "studies/bound/branch_and_bound.hpp"
@@ -29,19 +28,6 @@ constexpr double closing_part_of_gap = 0.5;
 constexpr double step_growth = 2.0, step_shrink = 0.25;
 // Two ranges are one freedom: no step forth or back helps. Of more, a step along two at once might.
 constexpr std::size_t one_freedom = 2;
-
-bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
-    if (neighbour.kind == SegmentKind::dwell) return true;
-    if (neighbour.kind == SegmentKind::spline) return false;
-    const auto law = make_law(neighbour.law);
-    const MotionPoint point = at_its_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
-    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
-    return std::abs(point.derivative[1]) < at_rest && std::abs(point.derivative[2]) < at_rest;
-}
-
-bool is_normalised(const SetPoint& point) {
-    return point.units.place.empty() && point.units.velocity.empty() && point.units.acceleration.empty();
-}
 
 /// Angles of the segments with a range.
 using Angles = std::vector<double>;
@@ -369,27 +355,6 @@ class AngleSearch {
 };
 
 }  // namespace
-
-bool bounds_by_angles(const Scene& scene) {
-    if (scene.cam || scene.drive || scene.dynamics || !scene.own_terms.empty() || !scene.own_limits.empty())
-        return false;
-    // Corridors and tables stand where they are while segments move past them; an area or a mean over the
-    // turn weighs segments by their angles.
-    const bool weighs_turn = std::ranges::any_of(
-        response_terms(), [&](const ResponseTerm& term) { return term.weight_in(scene.objective) > 0.0; });
-    if (!scene.motion.corridors.empty() || weighs_turn || weighs_any(scene.objective, CostTerm::Kind::rms))
-        return false;
-    const std::vector<ProgramSegment>& segments = scene.motion.segments;
-    const std::size_t count = segments.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (segments[i].kind != SegmentKind::spline) continue;
-        if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
-        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
-            !rests_at_joint(segments[(i + 1) % count], false))
-            return false;
-    }
-    return true;
-}
 
 Solution solve_free_angles(const Scene& scene, const SolvePlan& plan, const SolveControl& control,
                            const SolveScene& solve) {

@@ -19,9 +19,6 @@
 
 namespace camopt {
 
-/// Whether the least objective can only fall where an angle grows: boxes of angles can be bounded.
-[[nodiscard]] bool bounds_by_angles(const Scene& scene);
-
 /// Each set of angles is a scene without ranges, solved by `solve`; its angles need not add up to a
 /// turn. The solution's scene has the angles that were found.
 [[nodiscard]] Solution solve_free_angles(const Scene& scene, const SolvePlan& plan,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/plan.hpp"
 
+#include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_family.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
-#include "studies/search/free_angles.hpp"
 #include "studies/search/posed_scene.hpp"
 
 namespace camopt {
@@ -54,6 +54,42 @@ void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
     plan.displacements = static_cast<int>(free_displacements(posed.scene, posed.model.design).joints.size());
     plan.dimensions = static_cast<int>(
         std::ranges::count(posed.model.parameters, Parameter::Kind::dimension, &Parameter::kind));
+}
+
+bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
+    if (neighbour.kind == SegmentKind::dwell) return true;
+    if (neighbour.kind == SegmentKind::spline) return false;
+    const auto law = make_law(neighbour.law);
+    const MotionPoint point = at_its_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
+    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
+    return std::abs(point.derivative[1]) < at_rest && std::abs(point.derivative[2]) < at_rest;
+}
+
+bool is_normalised(const SetPoint& point) {
+    return point.units.place.empty() && point.units.velocity.empty() && point.units.acceleration.empty();
+}
+
+/// Whether the least objective can only fall where an angle grows: boxes of angles can be bounded
+/// (free_angles.hpp).
+bool bounds_by_angles(const Scene& scene) {
+    if (scene.cam || scene.drive || scene.dynamics || !scene.own_terms.empty() || !scene.own_limits.empty())
+        return false;
+    // Corridors and tables stand where they are while segments move past them; an area or a mean over the
+    // turn weighs segments by their angles.
+    const bool weighs_turn = std::ranges::any_of(
+        response_terms(), [&](const ResponseTerm& term) { return term.weight_in(scene.objective) > 0.0; });
+    if (!scene.motion.corridors.empty() || weighs_turn || weighs_any(scene.objective, CostTerm::Kind::rms))
+        return false;
+    const std::vector<ProgramSegment>& segments = scene.motion.segments;
+    const std::size_t count = segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (segments[i].kind != SegmentKind::spline) continue;
+        if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
+        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
+            !rests_at_joint(segments[(i + 1) % count], false))
+            return false;
+    }
+    return true;
 }
 
 ProofKind planned_proof(const SolvePlan& plan, const PosedScene& posed, bool general) {

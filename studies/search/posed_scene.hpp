@@ -5,6 +5,7 @@
 #pragma once
 
 #include "objectives/scene_model.hpp"
+#include "solvers/certificate/scale_cost.hpp"
 #include "solvers/exchange/exchange.hpp"
 #include "studies/delivered/solution.hpp"
 

@@ -280,4 +280,10 @@ Extremum largest_of(const std::vector<Extremum>& maxima) {
     return largest;
 }
 
+Extremum extreme_of(LinearBound bound, const Motion& motion) {
+    bound.bound = 0.0;
+    bound.scale = 1.0;
+    return largest_of(rule_maxima(LinearRule(bound), motion, {}));
+}
+
 }  // namespace camopt

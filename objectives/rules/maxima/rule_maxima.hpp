@@ -7,7 +7,7 @@
 // found to round-off, with denser samples where a cubic approximates the rule poorly.
 #pragma once
 
-#include "objectives/rules/model.hpp"
+#include "objectives/rules/linear_bound.hpp"
 
 namespace camopt {
 
@@ -29,6 +29,9 @@ struct MaximaAlong {
 
 /// The largest of them; value -infinity if there is none, infinity if one is undefined.
 [[nodiscard]] Extremum largest_of(const std::vector<Extremum>& maxima);
+
+/// Where a motion comes nearest to a bound, or exceeds it most: sign · y^{(order)}, or the sum.
+[[nodiscard]] Extremum extreme_of(LinearBound bound, const Motion& motion);
 
 }  // namespace camopt
 
