@@ -137,7 +137,7 @@ struct SweepRequest {
     std::string out;                    ///< folder
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
-    std::optional<int> workers;         ///< none: one a core
+    std::optional<int> workers;         ///< threads; none: one a core
     std::optional<int> chunk;           ///< rows a chunk; none: chunk_size_for (studies/sweep/sweep_run.hpp)
     ParetoWords pareto;
     SurfaceWords surface;

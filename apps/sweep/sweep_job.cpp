@@ -40,13 +40,11 @@ SweepFolder folder_for(const SweepRequest& request, const StoredSweep& sweep) {
     return folder;
 }
 
-void write_lost_chunk(const SweepFolder& folder, const SweepPlan& plan, int chunk,
-                      const std::string& reason) {
-    const RowRange range = folder.identity().chunking.range(chunk);
+std::vector<SweepRow> failed_rows(const SweepPlan& plan, RowRange range, const std::string& reason) {
     std::vector<SweepRow> rows;
     for (int row = range.begin; row < range.end; ++row)
         rows.push_back(failed_row(row, plan.row(row), reason));
-    folder.write_chunk(chunk, rows);
+    return rows;
 }
 
 constexpr std::string_view simplex = "simplex:";
@@ -233,27 +231,22 @@ ExitCode tell_interruption(const SweepFolder& folder) {
     return interrupted;
 }
 
-PoolTask chunk_task(const SweepFolder& folder, SweepJob& job) {
-    PoolTask task;
+PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepJob& job, int workers,
+                                 const std::function<void()>& begin_child) {
+    const std::vector<int> missing = folder.missing_chunks();
+    SweepProgress progress(folder.identity().chunking, folder.chunks(), missing);
+    const auto line = terminal_progress();
+    const auto rows_of = [&](int chunk) { return folder.identity().chunking.range(chunk); };
+    PoolTask task{missing, workers, job.fence()};
     task.work = [&](int chunk, const std::function<void(int)>& tell) {
-        folder.write_chunk(chunk, job.solve(folder.identity().chunking.range(chunk), folder,
+        folder.write_chunk(chunk, job.solve(rows_of(chunk), folder,
                                             [&](const SweepRow& row) { tell(row.number); }));
     };
-    task.lost = [&](int chunk, const std::string& reason) {
-        write_lost_chunk(folder, job.plan(), chunk, reason);
-    };
-    return task;
-}
-
-PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepJob& job, int workers,
-                                 const std::function<void()>& begin_worker) {
-    SweepProgress progress(folder.identity().chunking, folder.chunks(), folder.missing_chunks());
-    const auto line = terminal_progress();
-    PoolTask task = chunk_task(folder, job);
-    task.units = folder.missing_chunks();
-    task.workers = workers;
-    task.begin_worker = begin_worker;
+    task.begin_child = begin_child;
     task.told = [&](int row) { progress.add(row); };
+    task.lost = [&](int chunk, const std::string& reason) {
+        folder.write_chunk(chunk, failed_rows(job.plan(), rows_of(chunk), reason));
+    };
     if (line) task.tick = [&] { line(progress.text()); };
     task.stop_requested = InterruptWatch::interrupted;
     const PoolOutcome outcome = run_workers(task);

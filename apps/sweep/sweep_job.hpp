@@ -28,6 +28,11 @@ class SweepJob {
     /// Reads and checks every row; throws InputError naming the first wrong one.
     [[nodiscard]] SweepColumns check();
     [[nodiscard]] int chunk_size();
+    /// Where its chunks are solved. A machine may take a solver that is not safe in threads, and takes
+    /// seconds.
+    [[nodiscard]] Fence fence() {
+        return is_machine_ || !is_safe_in_threads(scenes_.scene(0)) ? Fence::around_each : Fence::around_all;
+    }
     /// Rows solved one after another, with their result folders where these are asked for. Workers may be
     /// threads that call this at once.
     [[nodiscard]] std::vector<SweepRow> solve(RowRange rows, const SweepFolder& folder,
@@ -72,16 +77,11 @@ class WorkFolder {
 /// "interrupted; 12 of 58 chunks are finished and kept in …"
 [[nodiscard]] ExitCode tell_interruption(const SweepFolder& folder);
 
-// The chunks of a sweep solved by worker processes, into its folder.
-
-/// A task whose units are chunks, with what a worker does with one and what is left of one that two workers
-/// died of: its rows are failed, with the cause of death as the reason. Both write to the folder.
-[[nodiscard]] PoolTask chunk_task(const SweepFolder& folder, SweepJob& job);
-
 /// Solves the chunks that are missing in the folder; each is written there by its worker as soon as it is
-/// finished. Progress goes to the terminal, if there is one.
+/// finished. The rows of a chunk that crashed twice are failed, with the cause of death as the reason.
+/// Progress goes to the terminal, if there is one. begin_child: as of PoolTask.
 [[nodiscard]] PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepJob& job, int workers,
-                                               const std::function<void()>& begin_worker);
+                                               const std::function<void()>& begin_child);
 
 // From the words of camopt sweep to what is asked for. All throw InputError.
 

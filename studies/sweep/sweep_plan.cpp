@@ -236,6 +236,13 @@ const Scene& SweepScenes::scene(int row) {
     return scene_;
 }
 
+bool is_safe_in_threads(const Scene& scene) {
+    const SolvePlan how = plan(scene);
+    return std::ranges::all_of(solver_entries(), [&](const SolverEntry& entry) {
+        return entry.safe_in_threads || (entry.name != how.solver && entry.name != how.next_solver);
+    });
+}
+
 SweepColumns check_rows(SweepScenes& scenes) {
     const SweepPlan& plan = scenes.plan();
     Seen seen;

@@ -65,6 +65,9 @@ class SweepScenes {
 
 // Every row of a sweep looked at before anything is solved.
 
+/// Whether every solver that the scene's plan may take runs in several threads at once.
+[[nodiscard]] bool is_safe_in_threads(const Scene& scene);
+
 /// Makes the scene of every row and checks what solve() would refuse. Throws InputError naming the first row
 /// that is wrong, its values and why; UnavailableError for a backend this build leaves out. Returns what the
 /// rows have in common.
