@@ -7,9 +7,11 @@
 #include "apps/sweep/rank_launch.hpp"
 #include "core/platform/files.hpp"
 #include "core/platform/workers.hpp"
+#include "report/document/document_text.hpp"
 #include "report/folders/sweep_folder.hpp"
 #include "report/json/sweep_json.hpp"
 #include "scene/machine_spec.hpp"
+#include "studies/compare/law_losses.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <filesystem>
@@ -46,7 +48,6 @@ class SweepJob {
     [[nodiscard]] std::vector<std::string> row_settings(int row) const;  ///< of all rows, then its own
     [[nodiscard]] MachineSpec machine(int row) const;
     [[nodiscard]] SweepRow solve_machine_row(int row, const SweepFolder& folder) const;
-    [[nodiscard]] std::function<void(int row, const Solution&)> keeper(const SweepFolder& folder) const;
 
     SweepRequest request_;
     SceneText scene_;
@@ -73,6 +74,18 @@ class WorkFolder {
     SweepFolder folder_;
     FolderLock lock_;
 };
+
+/// Keeps a result folder for every row. settings: of all rows, before those of each.
+[[nodiscard]] FoundSolution result_keeper(const SweepFolder& folder, const SceneText& scene,
+                                          std::vector<std::string> settings);
+
+/// Peaks of the rows that have them.
+[[nodiscard]] std::vector<PeakTriple> peaks_of_rows(const SweepTable& table);
+
+/// The files of a study, named after it: table and description (empty: they stand there), picture, page; and
+/// report.md, tables.csv.
+void write_study(const SweepFolder& folder, const std::string& table, const Document& document,
+                 const std::string& json, const std::vector<FolderFile>& also = {});
 
 /// "interrupted; 12 of 58 chunks are finished and kept in …"
 [[nodiscard]] ExitCode tell_interruption(const SweepFolder& folder);

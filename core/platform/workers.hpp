@@ -23,25 +23,25 @@ struct PoolTask {
     Fence fence = Fence::none;
 
     /// In a worker: does one unit. tell(number) reaches `told`. Threads call it at once.
-    std::function<void(int unit, const std::function<void(int)>& tell)> work;
+    std::function<void(int unit, const std::function<void(int)>& tell)> work = {};
     /// In a child, first of all: lets go of what belongs to the parent. May be empty.
-    std::function<void()> begin_child;
+    std::function<void()> begin_child = {};
 
     // In the thread that runs the task.
-    std::function<void(int number)> told;
+    std::function<void(int number)> told = {};
     /// Two children died of this unit. reason: "worker died: signal 11".
-    std::function<void(int unit, const std::string& reason)> lost;
+    std::function<void(int unit, const std::string& reason)> lost = {};
     /// Some times a second, and at the end: for a progress line.
-    std::function<void()> tick;
+    std::function<void()> tick = {};
     /// Polled; true: children are killed, threads of this process finish their units.
-    std::function<bool()> stop_requested;
+    std::function<bool()> stop_requested = {};
 };
 
 enum class PoolOutcome { finished, stopped };
 
 /// Until every unit is done or lost, or until it is told to stop; no worker is left then. An exception in
-/// `work` ends the run: of this process it is thrown on; of a child InputError comes as InputError, everything
-/// else as std::runtime_error.
+/// `work` ends the run: of this process it is thrown on; of a child InputError comes as InputError,
+/// everything else as std::runtime_error.
 [[nodiscard]] PoolOutcome run_workers(const PoolTask& task);
 
 }  // namespace camopt

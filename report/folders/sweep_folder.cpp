@@ -15,8 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* description = "sweep.json";
 constexpr const char* chunk_folder = "chunks";
+
+fs::path description_in(const fs::path& path, const std::string& study) {
+    return path / (study + ".json");
+}
 
 bool is_half_written(const fs::path& path) {
     return path.extension() == ".tmp";
@@ -33,9 +36,11 @@ bool is_unused_sweep_folder(const fs::path& path) {
 }
 
 SweepFolder SweepFolder::create(const fs::path& path, const StoredSweep& sweep) {
-    if (!is_unused_sweep_folder(path)) {
+    const fs::path file = description_in(path, sweep.identity.study);
+    const bool grid = sweep.identity.is_grid();
+    if (grid && !is_unused_sweep_folder(path)) {
         std::error_code error;
-        if (fs::exists(path / description, error))
+        if (fs::exists(file, error))
             throw InputError(
                 fmt::format("{} holds a sweep already; allowed: --resume to continue it, or another "
                             "folder",
@@ -44,18 +49,26 @@ SweepFolder SweepFolder::create(const fs::path& path, const StoredSweep& sweep) 
             fmt::format("{} is not empty and holds no sweep; allowed: a new or empty folder", path.string()));
     }
     prepare_folder(path);
-    write_durable_text_file(path / description, sweep_json(sweep));
-    prepare_folder(path / chunk_folder);
-    return {path, sweep};
+    SweepFolder folder(path, sweep);
+    if (!grid) fs::remove(folder.table_path());
+    write_durable_text_file(file, sweep_json(sweep));
+    if (grid) prepare_folder(path / chunk_folder);
+    return folder;
 }
 
-SweepFolder SweepFolder::open(const fs::path& path) {
+bool SweepFolder::holds(const fs::path& path, const std::string& study) {
     std::error_code error;
-    const fs::path file = path / description;
-    if (!fs::exists(file, error))
-        throw InputError(fmt::format("{} holds no sweep: it has no {}", path.string(), description));
-    SweepFolder folder(path, read_sweep_json(read_text_file(file), file.string()));
-    prepare_folder(path / chunk_folder);  // a run killed right after its start may not have made it
+    return fs::exists(description_in(path, study), error);
+}
+
+SweepFolder SweepFolder::open(const fs::path& path, const std::string& study) {
+    const fs::path file = description_in(path, study);
+    if (!holds(path, study))
+        throw InputError(
+            fmt::format("{} holds no {}: it has no {}", path.string(), study, file.filename().string()));
+    SweepFolder folder(path, read_sweep_json(read_text_file(file), file.string(), study));
+    if (folder.identity().is_grid())
+        prepare_folder(path / chunk_folder);  // a run killed right after its start may not have made it
     return folder;
 }
 
@@ -114,6 +127,7 @@ std::vector<SweepRow> SweepFolder::read_chunk(int chunk) const {
 
 int SweepFolder::remove_leftovers() const {
     for (const fs::path& folder : {path_, path_ / chunk_folder}) {
+        if (!fs::exists(folder)) continue;
         std::vector<fs::path> half_written;
         for (const auto& entry : fs::directory_iterator(folder))
             if (is_half_written(entry.path())) half_written.push_back(entry.path());
@@ -139,10 +153,19 @@ SweepTable SweepFolder::table() const {
     return table;
 }
 
+std::vector<SweepRow> SweepFolder::written_rows() const {
+    if (!fs::exists(table_path())) return {};
+    return read_sweep_csv(read_text_file(table_path()), table_path().string()).rows;
+}
+
+void SweepFolder::write_rows(const SweepTable& so_far) const {
+    write_durable_text_file(table_path(), sweep_csv(so_far));
+}
+
 SweepTable SweepFolder::write_table() const {
     SweepTable complete = table();
     mark_front(complete);
-    write_durable_text_file(table_path(), sweep_csv(complete));
+    write_rows(complete);
     return complete;
 }
 

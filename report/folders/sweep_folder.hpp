@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The folder of a sweep: sweep.json (what it is), chunks/chunk_000012.csv (finished chunks), and at the end
-// sweep.csv (all rows).
+// The folder of a study of many solves. sweep.json, pareto.json or surface.json says what it is, the table of
+// the same name has its rows, the picture and the page of that name show them. The rows of a sweep stand in
+// chunks/chunk_000012.csv until all are there; those of the others are one chain, whose table grows.
 //
 // Every file takes its name in one step when it is complete and on the disk, so whatever stands there under
 // its name is whole: a run that was killed at any moment loses the chunks it was working on and nothing else.
@@ -15,16 +16,19 @@ namespace camopt {
 
 class SweepFolder {
  public:
-    /// Makes a folder for a new sweep. Refuses one that holds anything, but for what a killed start left.
+    /// Makes a folder for a new study. A sweep refuses one that holds anything, but for what a killed start
+    /// left; a front and a surface begin anew.
     [[nodiscard]] static SweepFolder create(const std::filesystem::path& path, const StoredSweep& sweep);
 
-    /// A folder that holds a sweep already.
-    [[nodiscard]] static SweepFolder open(const std::filesystem::path& path);
+    /// A folder that holds such a study already.
+    [[nodiscard]] static SweepFolder open(const std::filesystem::path& path,
+                                          const std::string& study = "sweep");
+    [[nodiscard]] static bool holds(const std::filesystem::path& path, const std::string& study);
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] const SweepIdentity& identity() const { return sweep_.identity; }
     [[nodiscard]] const SweepShard& shard() const { return sweep_.shard; }
-    [[nodiscard]] std::filesystem::path table_path() const { return path_ / "sweep.csv"; }
+    [[nodiscard]] std::filesystem::path table_path() const { return path_ / (identity().study + ".csv"); }
 
     /// The numbers of the chunks of its shard, ascending; those of them that stand there; those that do not.
     [[nodiscard]] std::vector<int> chunks() const;
@@ -41,6 +45,10 @@ class SweepFolder {
     /// Removes what a killed run left half-written, and chunks that cannot be read back. Returns the number
     /// of the latter.
     [[nodiscard]] int remove_leftovers() const;
+
+    /// The rows of a chain so far.
+    [[nodiscard]] std::vector<SweepRow> written_rows() const;
+    void write_rows(const SweepTable& so_far) const;
 
     /// The rows of its finished chunks, by number; no front is marked.
     [[nodiscard]] SweepTable table() const;

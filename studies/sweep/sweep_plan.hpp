@@ -33,8 +33,9 @@ struct SweepPlan {
 /// "objective.velocity=0.3": integers without a point, everything else as it reads back.
 [[nodiscard]] std::string setting_text(const std::string& key, double value);
 
-/// Of one row, as --set takes them.
-[[nodiscard]] std::vector<std::string> settings_of(const SweepPlan& plan, int row);
+/// Of one row, as --set takes them; a key without a value (NaN) has none.
+[[nodiscard]] std::vector<std::string> settings_of(std::span<const std::string> keys,
+                                                   std::span<const double> values);
 
 /// "row 17 (objective.velocity=0.3, objective.jerk=0.7)"
 [[nodiscard]] std::string row_text(const SweepPlan& plan, int row);
@@ -72,6 +73,9 @@ class SweepScenes {
 /// that is wrong, its values and why; UnavailableError for a backend this build leaves out. Returns what the
 /// rows have in common.
 [[nodiscard]] SweepColumns check_rows(SweepScenes& scenes);
+
+/// What rows of such scenes have in common; at least one.
+[[nodiscard]] SweepColumns columns_of(std::vector<std::string> keys, std::span<const Scene> scenes);
 
 // Solving the rows of a sweep, chunk by chunk.
 //
@@ -120,14 +124,28 @@ struct Chunking {
 /// A row without a solution.
 [[nodiscard]] SweepRow failed_row(int number, std::span<const double> settings, std::string_view reason);
 
+/// Hears of a solution before its row: settings as --set takes them, those of the row alone.
+using FoundSolution =
+    std::function<void(int row, std::span<const std::string> settings, const Solution& solution)>;
+
 /// One row a number, in order; `row_done` (may be empty) is called after each. A row whose solve throws is
-/// failed with the message as its reason, and the next starts cold. Where control stops it the rows so far
-/// come back, the last one perhaps stopped halfway: fewer than asked for, or not to be kept. `found` (may be
-/// empty): called before it with the solution, where there is one.
-[[nodiscard]] std::vector<SweepRow> solve_chunk(
-    SweepScenes& scenes, RowRange rows, const SolveControl& control = {},
-    const std::function<void(const SweepRow&)>& row_done = {},
-    const std::function<void(int row, const Solution&)>& found = {});
+/// failed with the message as its reason, and the next starts cold. Where control stops it the finished rows
+/// come back.
+[[nodiscard]] std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows,
+                                                const SolveControl& control = {},
+                                                const std::function<void(const SweepRow&)>& row_done = {},
+                                                const FoundSolution& found = {});
+
+/// How rows are solved that depend on one another (a front, a surface): what ends them, and who hears.
+struct RowRun {
+    SolveControl control = {};
+    /// Rows of an earlier run of the same study, in their order: not solved again as long as they are those
+    /// asked for.
+    std::vector<SweepRow> known = {};
+    /// After every row, also a known one. error: what a surface has proved so far.
+    std::function<void(const SweepTable& so_far, std::optional<double> error)> row_done = {};
+    FoundSolution found = {};  ///< after every solve
+};
 
 // A sweep that a function makes: for studies that no key of a scene file could say. Sweeps by keys, which can
 // be cut into chunks and resumed, are studies/sweep/sweep_plan.hpp.
