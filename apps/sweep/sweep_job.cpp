@@ -199,9 +199,10 @@ StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
     return {job.identity(columns, chunking), sweep_shard(request)};
 }
 
-WorkFolder::WorkFolder(const SweepRequest& request, const StoredSweep& sweep)
+WorkFolder::WorkFolder(const SweepRequest& request, const StoredSweep& sweep, const SweepShard& share)
     : folder_(folder_for(request, sweep)), lock_(folder_.path()) {
-    if (const int damaged = folder_.remove_leftovers(); damaged > 0)
+    const int damaged = (share.is_whole() ? folder_ : folder_.part(share)).remove_leftovers();
+    if (damaged > 0)
         print_error(fmt::format("camopt: {} chunk(s) in {} were damaged and are solved again\n", damaged,
                                 request.out));
 }

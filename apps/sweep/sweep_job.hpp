@@ -64,7 +64,8 @@ class SweepJob {
 /// sweep; what a killed run left is gone. The constructor throws InputError.
 class WorkFolder {
  public:
-    WorkFolder(const SweepRequest& request, const StoredSweep& sweep);
+    /// share: of this program, if others work in the folder too.
+    WorkFolder(const SweepRequest& request, const StoredSweep& sweep, const SweepShard& share = {});
 
     [[nodiscard]] const SweepFolder& folder() const { return folder_; }
     /// In a forked child.
@@ -137,9 +138,9 @@ class SweepParts {
 
 // camopt sweep under mpirun: one sweep by all ranks.
 
-/// Every rank solves one shard into its own folder beside --out, with --workers workers (default 1).
-/// Rank 0 then waits for the others, merges the shards into --out and prints the summary. Throws InputError;
-/// from other ranks than 0 some seconds later, since the launcher ends all ranks when the first one fails.
+/// Every rank solves one shard of the chunks into the folder of rank 0, with --workers workers (default 1).
+/// Rank 0 then waits for the others, writes the table and prints the summary. Throws InputError; from other
+/// ranks than 0 some seconds later, since the launcher ends all ranks when the first one fails.
 [[nodiscard]] ExitCode sweep_across_ranks(const SweepRequest& request, const RankLaunch& launch);
 
 }  // namespace camopt::apps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/folders/sweep_folder.hpp"
 
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "report/csv/sweep_csv.hpp"
 #include "report/folders/result_folder.hpp"
@@ -83,17 +84,20 @@ std::vector<int> SweepFolder::chunks() const {
     return numbers;
 }
 
+bool SweepFolder::has_chunk(int chunk) const {
+    std::error_code error;
+    return fs::exists(chunk_path(chunk), error);
+}
+
 std::vector<int> SweepFolder::finished_chunks() const {
     std::vector<int> numbers = chunks();
-    std::error_code error;
-    std::erase_if(numbers, [&](int chunk) { return !fs::exists(chunk_path(chunk), error); });
+    std::erase_if(numbers, [&](int chunk) { return !has_chunk(chunk); });
     return numbers;
 }
 
 std::vector<int> SweepFolder::missing_chunks() const {
     std::vector<int> numbers = chunks();
-    std::error_code error;
-    std::erase_if(numbers, [&](int chunk) { return fs::exists(chunk_path(chunk), error); });
+    std::erase_if(numbers, [&](int chunk) { return has_chunk(chunk); });
     return numbers;
 }
 
@@ -125,15 +129,24 @@ std::vector<SweepRow> SweepFolder::read_chunk(int chunk) const {
     return std::move(table.rows);
 }
 
+/// What is no chunk belongs to the first shard.
+bool SweepFolder::may_remove(const fs::path& file) const {
+    const std::string name = file.filename().string();
+    const std::string number = name.substr(0, name.find('.'));
+    const std::optional<long long> chunk = integer_in(number.substr(number.rfind('_') + 1));
+    return shard().holds(chunk ? static_cast<int>(*chunk) : 0);
+}
+
 int SweepFolder::remove_leftovers() const {
+    std::vector<fs::path> half_written;
     for (const fs::path& folder : {path_, path_ / chunk_folder}) {
         if (!fs::exists(folder)) continue;
-        std::vector<fs::path> half_written;
         for (const auto& entry : fs::directory_iterator(folder))
-            if (is_half_written(entry.path())) half_written.push_back(entry.path());
-        std::error_code gone;
-        for (const fs::path& file : half_written) fs::remove(file, gone);
+            if (is_half_written(entry.path()) && may_remove(entry.path()))
+                half_written.push_back(entry.path());
     }
+    std::error_code gone;
+    for (const fs::path& file : half_written) fs::remove(file, gone);
     int damaged = 0;
     for (const int chunk : finished_chunks()) {
         try {

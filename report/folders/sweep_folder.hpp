@@ -35,6 +35,10 @@ class SweepFolder {
     [[nodiscard]] std::vector<int> finished_chunks() const;
     [[nodiscard]] std::vector<int> missing_chunks() const;
 
+    [[nodiscard]] bool has_chunk(int chunk) const;
+    /// The same folder, in which others solve the other chunks meanwhile.
+    [[nodiscard]] SweepFolder part(const SweepShard& share) const { return {path_, {identity(), share}}; }
+
     void write_chunk(int chunk, std::span<const SweepRow> rows) const;
     /// Throws where its rows are not those of the chunk.
     [[nodiscard]] std::vector<SweepRow> read_chunk(int chunk) const;
@@ -42,8 +46,8 @@ class SweepFolder {
     [[nodiscard]] std::string chunk_text(int chunk) const;
     void write_chunk_text(int chunk, const std::string& text) const;
 
-    /// Removes what a killed run left half-written, and chunks that cannot be read back. Returns the number
-    /// of the latter.
+    /// Of its shard: removes what a killed run left half-written, and chunks that cannot be read back.
+    /// Returns the number of the latter.
     [[nodiscard]] int remove_leftovers() const;
 
     /// The rows of a chain so far.
@@ -59,6 +63,7 @@ class SweepFolder {
     SweepFolder(std::filesystem::path path, StoredSweep sweep)
         : path_(std::move(path)), sweep_(std::move(sweep)) {}
     [[nodiscard]] std::filesystem::path chunk_path(int chunk) const;
+    [[nodiscard]] bool may_remove(const std::filesystem::path& half_written) const;
 
     std::filesystem::path path_;
     StoredSweep sweep_;
