@@ -12,7 +12,7 @@
 #include "report/json/sweep_json.hpp"
 #include "scene/machine_spec.hpp"
 #include "studies/compare/law_losses.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <filesystem>
 #include <map>

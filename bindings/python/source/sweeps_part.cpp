@@ -8,7 +8,7 @@
 #include "report/document/document_text.hpp"
 #include "report/sweep/sweep_document.hpp"
 #include "studies/pareto/sweep_front.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <fmt/ranges.h>
 
@@ -94,7 +94,6 @@ SweepTable solve_sweep(const SweepTask& task, Watch& watch) {
         });
         (void)solve_chunk(own, chunking.range(chunk), control, [&](const SweepRow& row) {
             const std::lock_guard lock(busy);
-            if (watch.stopped()) return;  // perhaps stopped halfway
             table.rows.push_back(row);
             tell(row.number);
         });
