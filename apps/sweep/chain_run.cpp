@@ -6,7 +6,6 @@
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
-#include "report/csv/sweep_csv.hpp"
 #include "report/folders/result_folder.hpp"
 #include "report/page/page_html.hpp"
 #include "report/sweep/pareto_document.hpp"
@@ -79,7 +78,8 @@ ExitCode run(const Chain& chain, const std::function<Found(const RowRun&)>& solv
     };
     const Found found = solve(run);
     end_progress();
-    write_study(folder, sweep_csv(found.table), found.document, found.json, found.also);
+    folder.write_rows(found.table);
+    write_study(folder, found.document, found.json, found.also);
     print(fmt::format("{}wrote {}\n", console_text(found.document), folder.table_path().string()));
     if (found.code == interrupted)
         print_error(

@@ -282,8 +282,8 @@ std::vector<PeakTriple> peaks_of_rows(const SweepTable& table) {
     return peaks;
 }
 
-void write_study(const SweepFolder& folder, const std::string& table, const Document& document,
-                 const std::string& json, const std::vector<FolderFile>& also) {
+void write_study(const SweepFolder& folder, const Document& document, const std::string& json,
+                 const std::vector<FolderFile>& also) {
     const SweepIdentity& identity = folder.identity();
     const RunOrigin origin{identity.scene_file, "", identity.columns.machine ? "" : identity.scene_text};
     FolderUpdate update(folder.path());
@@ -291,7 +291,6 @@ void write_study(const SweepFolder& folder, const std::string& table, const Docu
         update.write(file.name, file.text);
     for (const FolderFile& file : also) update.write(file.name, file.text);
     if (!json.empty()) update.write(identity.study + ".json", json);
-    if (!table.empty()) update.write(identity.study + ".csv", table);
     update.finish();
 }
 
@@ -308,7 +307,7 @@ ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene, std::string
     if (scene != nullptr) show_in(shown.emplace(*scene), units);
     std::string text = console_text(sweep_summary(table, shown ? &*shown : nullptr, title));
     if (shard.is_whole() && table.rows.size() <= most_drawn_rows)
-        write_study(folder, "", finished_document(folder.identity(), table, units), "");
+        write_study(folder, finished_document(folder.identity(), table, units));
     else if (shard.is_whole())
         text +=
             fmt::format("no sweep.svg and sweep.html: they are drawn for at most {} rows\n", most_drawn_rows);

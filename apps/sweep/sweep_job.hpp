@@ -83,10 +83,10 @@ class WorkFolder {
 /// Peaks of the rows that have them.
 [[nodiscard]] std::vector<PeakTriple> peaks_of_rows(const SweepTable& table);
 
-/// The files of a study, named after it: table and description (empty: they stand there), picture, page; and
-/// report.md, tables.csv.
-void write_study(const SweepFolder& folder, const std::string& table, const Document& document,
-                 const std::string& json, const std::vector<FolderFile>& also = {});
+/// The files of a study but for its table: picture and page, named after it, report.md, tables.csv; its
+/// description, unless `json` is empty.
+void write_study(const SweepFolder& folder, const Document& document, const std::string& json = "",
+                 const std::vector<FolderFile>& also = {});
 
 /// "interrupted; 12 of 58 chunks are finished and kept in …"
 [[nodiscard]] ExitCode tell_interruption(const SweepFolder& folder);
