@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace camopt {
@@ -172,7 +174,10 @@ TEST(SweepFolder, AChainKeepsItsGrowingTable) {
     sweep.identity.axes = {"--pareto velocity,jerk"};
     const SweepFolder folder = SweepFolder::create(temporary.path(), sweep);
     EXPECT_TRUE(folder.written_rows().empty());
-    SweepTable table{{.keys = {"objective.velocity"}, .front = true}, rows(0, 3)};
+    SweepTable table;
+    table.rows = rows(0, 3);
+    table.columns.keys = {"objective.velocity"};
+    table.columns.front = true;
     table.rows[1].settings = {std::numeric_limits<double>::quiet_NaN()};
     table.rows[1].front = {
         .point = 1, .arc = 0.5, .weighted = {}, .limit_first = 1.5, .limit_second = 6, .end = "cut_off"};
