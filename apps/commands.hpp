@@ -172,8 +172,9 @@ struct TableRequest {
 };
 [[nodiscard]] ExitCode table_command(const TableRequest& request);
 
-// Studies whose rows depend on those before. They write the files of a sweep (docs/sweep.md), named "pareto" or
-// "surface", and print what was found. After Ctrl-C what is finished is written, and --resume goes on from it.
+// Studies whose rows depend on those before. They write the files of a sweep (docs/sweep.md), named "pareto"
+// or "surface", and print what was found. After Ctrl-C what is finished is written, and --resume goes on from
+// it.
 
 /// camopt sweep SCENE --pareto first,second: a front by limits.
 [[nodiscard]] ExitCode pareto_run(const SweepRequest& request);
@@ -181,7 +182,8 @@ struct TableRequest {
 /// camopt sweep SCENE --surface ERROR: every weight of V, A and J to a proved error.
 [[nodiscard]] ExitCode surface_run(const SweepRequest& request);
 
-/// request.scene is a folder of a surface: prints between which two values the objective lies at request.surface.at.
+/// request.scene is a folder of a surface: prints between which two values the objective lies at
+/// request.surface.at.
 [[nodiscard]] ExitCode surface_look_up(const SweepRequest& request);
 
 }  // namespace camopt::apps

@@ -181,8 +181,7 @@ PoolOutcome run_in_one_child(const PoolTask& task) {
 }  // namespace
 
 PoolOutcome run_workers(const PoolTask& task) {
-    const bool in_one_child =
-        task.fence == Fence::around_all && can_run_children() && !task.units.empty();
+    const bool in_one_child = task.fence == Fence::around_all && can_run_children() && !task.units.empty();
     return in_one_child ? run_in_one_child(task) : Crew(task).run();
 }
 

@@ -54,8 +54,13 @@ void say(int line, const Head& head, std::string_view text = {}) {
     // Between fork and this call the parent may have died: then no one would tell.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(0);
     try {
-        child.work([line](int number) { say(line, {Kind::told, number}); },
-                   [line](int number) { say(line, {Kind::done, number}); });
+        child.work(
+            [line](int number) {
+                say(line, {Kind::told, number});
+            },
+            [line](int number) {
+                say(line, {Kind::done, number});
+            });
         say(line, {Kind::finished});
     } catch (const InputError& error) {
         say(line, {Kind::wrong_input}, error.what());
