@@ -135,7 +135,7 @@ TEST(WorkerPool, CrashOfThreadsLeavesOthersUnharmed) {
     EXPECT_TRUE(no_child_is_left());
 }
 
-TEST(WorkerPool, ThreadsShareMemoryAndThrowAsThrown) {
+TEST(WorkerPool, ThreadsShareMemoryAndThrow) {
     std::set<std::thread::id> threads;
     std::mutex mutex;
     Heard heard;
