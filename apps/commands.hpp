@@ -137,7 +137,7 @@ struct SweepRequest {
     std::string out;                    ///< folder
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
-    std::optional<int> workers;         ///< none: one a core
+    std::optional<int> workers;         ///< threads; none: one a core
     std::optional<int> chunk;           ///< rows a chunk; none: chunk_size_for (studies/sweep/sweep_run.hpp)
     ParetoWords pareto;
     SurfaceWords surface;
@@ -172,19 +172,18 @@ struct TableRequest {
 };
 [[nodiscard]] ExitCode table_command(const TableRequest& request);
 
-// camopt sweep SCENE --pareto first,second: a front by limits.
+// Studies whose rows depend on those before. They write the files of a sweep (docs/sweep.md), named "pareto"
+// or "surface", and print what was found. After Ctrl-C what is finished is written, and --resume goes on from
+// it.
 
-/// Writes pareto.csv, pareto.json, pareto.svg, pareto.html and report.md into request.out and prints the
-/// front. After Ctrl-C the points that are finished are written.
+/// camopt sweep SCENE --pareto first,second: a front by limits.
 [[nodiscard]] ExitCode pareto_run(const SweepRequest& request);
 
-// camopt sweep SCENE --surface ERROR: every weight of V, A and J to a proved error, and its look-up.
-
-/// Writes surface.csv, surface.svg, surface.html, surface.obj and surface.json into request.out and prints
-/// what was reached. After Ctrl-C what is finished is written, and --resume goes on from it.
+/// camopt sweep SCENE --surface ERROR: every weight of V, A and J to a proved error.
 [[nodiscard]] ExitCode surface_run(const SweepRequest& request);
 
-/// request.scene is such a folder: prints between which two values the objective lies at request.surface.at.
+/// request.scene is a folder of a surface: prints between which two values the objective lies at
+/// request.surface.at.
 [[nodiscard]] ExitCode surface_look_up(const SweepRequest& request);
 
 }  // namespace camopt::apps

@@ -162,7 +162,7 @@ constexpr const char* sweep_examples =
 void add_sweep_work(CLI::App& command, SweepRequest& request) {
     constexpr int most_workers = 1024;
     add_option(command, "--workers", request.workers, "N",
-               "Processes that solve at the same time; default: one per core, under mpirun one per rank")
+               "Threads that solve at the same time; default: one per core, under mpirun one per rank")
         ->check(CLI::Range(1, most_workers));
     add_option(command, "--chunk", request.chunk, "N",
                "Rows solved in sequence, each started from the previous result; the unit of --resume; "

@@ -290,7 +290,7 @@ set).]]
   studies/sweep/sweep_axis.hpp
   studies/sweep/sweep_plan.hpp
   studies/sweep/sweep_row.hpp
-  studies/sweep/sweep_plan.hpp)
+  studies/sweep/sweep_run.hpp)
 camopt_promise(tables [[
 Motion and cam as CSV text: a header line, a point a row, display units, "." as decimal sign regardless of the
 locale.]]

@@ -27,6 +27,7 @@ struct SolverEntry {
     bool needs_convex = false;
     bool needs_derivatives = true;
     bool takes_equalities = true;
+    bool safe_in_threads = true;  ///< several solves of one process run at once, and not one after another
     std::vector<NativeOption> options;
 };
 

@@ -24,13 +24,15 @@ namespace camopt::apps {
 namespace {
 
 SweepFolder folder_for(const SweepRequest& request, const StoredSweep& sweep) {
-    if (!request.resume || is_unused_sweep_folder(request.out))
-        return SweepFolder::create(request.out, sweep);
-    SweepFolder folder = SweepFolder::open(request.out);
+    const std::string& study = sweep.identity.study;
+    const bool goes_on = sweep.identity.is_grid() ? !is_unused_sweep_folder(request.out)
+                                                  : SweepFolder::holds(request.out, study);
+    if (!request.resume || !goes_on) return SweepFolder::create(request.out, sweep);
+    SweepFolder folder = SweepFolder::open(request.out, study);
     const std::string other = difference(folder.identity(), sweep.identity);
     if (!other.empty())
-        throw InputError(fmt::format("{} holds another sweep: {}; allowed: the same sweep, or another folder",
-                                     request.out, other));
+        throw InputError(fmt::format("{} holds another {}: {}; allowed: the same {}, or another folder",
+                                     request.out, study, other, study));
     const SweepShard &found = folder.shard(), &asked = sweep.shard;
     if (found.index != asked.index || found.count != asked.count)
         throw InputError(
@@ -40,13 +42,11 @@ SweepFolder folder_for(const SweepRequest& request, const StoredSweep& sweep) {
     return folder;
 }
 
-void write_lost_chunk(const SweepFolder& folder, const SweepPlan& plan, int chunk,
-                      const std::string& reason) {
-    const RowRange range = folder.identity().chunking.range(chunk);
+std::vector<SweepRow> failed_rows(const SweepPlan& plan, RowRange range, const std::string& reason) {
     std::vector<SweepRow> rows;
     for (int row = range.begin; row < range.end; ++row)
         rows.push_back(failed_row(row, plan.row(row), reason));
-    folder.write_chunk(chunk, rows);
+    return rows;
 }
 
 constexpr std::string_view simplex = "simplex:";
@@ -68,26 +68,9 @@ SweepAxis weights_axis(const std::string& weights) {
     return simplex_weights(*divisions);
 }
 
-// The pictures of a finished sweep: sweep.svg and sweep.html beside sweep.csv.
-
-/// A sweep of the weights of V, A, J gets the losses of the classical laws too, which takes some solves;
-/// where they are interrupted the pictures are drawn without the rest. `units` as of finish_sweep.
-void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, std::string_view units = {});
-
-std::vector<PeakTriple> peaks_of_rows(const SweepTable& table) {
-    std::vector<PeakTriple> peaks;
-    for (const SweepRow& row : table.rows) {
-        const auto &velocity = row.figure(SweepFigure::velocity),
-                   &acceleration = row.figure(SweepFigure::acceleration),
-                   &jerk = row.figure(SweepFigure::jerk);
-        if (row.is_feasible() && velocity && acceleration && jerk)
-            peaks.push_back({*velocity, *acceleration, *jerk});
-    }
-    return peaks;
-}
-
-void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, std::string_view units) {
-    const SweepIdentity& identity = folder.identity();
+/// The page of a finished sweep. A sweep of the weights of V, A, J gets the losses of the classical laws too,
+/// which takes some solves; where they are interrupted the pictures are drawn without the rest.
+Document finished_document(const SweepIdentity& identity, const SweepTable& table, std::string_view units) {
     Scene scene;
     if (identity.columns.machine)
         scene.title = input::machine_title(identity.scene_text).value_or("");
@@ -100,13 +83,7 @@ void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, st
         losses = law_losses(scene, {InterruptWatch::interrupted, terminal_progress()}, peaks_of_rows(table));
         end_progress();
     }
-    const SweepPicture picture{table, scene, losses ? &*losses : nullptr};
-    FolderUpdate update(folder.path());
-    const Document document = sweep_document(picture, identity);
-    const RunOrigin origin{identity.scene_file, "", identity.columns.machine ? "" : identity.scene_text};
-    update.write("sweep.svg", chart_svg(*document.pictures().front()->chart));
-    update.write("sweep.html", document_html(document, origin));
-    update.finish();
+    return sweep_document({table, scene, losses ? &*losses : nullptr}, identity);
 }
 
 /// Of the results of a row.
@@ -146,7 +123,8 @@ SweepIdentity SweepJob::identity(const SweepColumns& columns, const Chunking& ch
 
 std::vector<std::string> SweepJob::row_settings(int row) const {
     std::vector<std::string> settings = settings_;
-    for (std::string& setting : settings_of(plan_, row)) settings.push_back(std::move(setting));
+    for (std::string& setting : settings_of(plan_.keys, plan_.row(row)))
+        settings.push_back(std::move(setting));
     return settings;
 }
 
@@ -188,7 +166,9 @@ std::vector<SweepRow> SweepJob::solve(RowRange rows, const SweepFolder& folder,
                                       const std::function<void(const SweepRow&)>& row_done) const {
     if (!is_machine_) {
         SweepScenes scenes = scenes_;
-        return solve_chunk(scenes, rows, {}, row_done, keeper(folder));
+        const FoundSolution keep =
+            request_.results ? result_keeper(folder, scene_, settings_) : FoundSolution();
+        return solve_chunk(scenes, rows, {}, row_done, keep);
     }
     std::vector<SweepRow> solved;
     for (int row = rows.begin; row < rows.end; ++row) {
@@ -202,11 +182,13 @@ std::vector<SweepRow> SweepJob::solve(RowRange rows, const SweepFolder& folder,
     return solved;
 }
 
-std::function<void(int row, const Solution&)> SweepJob::keeper(const SweepFolder& folder) const {
-    if (!request_.results) return {};
-    return [this, &folder](int row, const Solution& solution) {
-        const RunOrigin origin{request_.scene, "",
-                               input::scene_with_overrides(scene_.text, scene_.name, row_settings(row))};
+FoundSolution result_keeper(const SweepFolder& folder, const SceneText& scene,
+                            std::vector<std::string> settings) {
+    return [&folder, scene, settings = std::move(settings)](int row, std::span<const std::string> own,
+                                                            const Solution& solution) {
+        std::vector<std::string> all = settings;
+        all.insert(all.end(), own.begin(), own.end());
+        const RunOrigin origin{scene.name, "", input::scene_with_overrides(scene.text, scene.name, all)};
         write_result_folder(row_folder(folder, row), View(solution), origin, {.for_programs = true});
     };
 }
@@ -217,9 +199,10 @@ StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
     return {job.identity(columns, chunking), sweep_shard(request)};
 }
 
-WorkFolder::WorkFolder(const SweepRequest& request, const StoredSweep& sweep)
+WorkFolder::WorkFolder(const SweepRequest& request, const StoredSweep& sweep, const SweepShard& share)
     : folder_(folder_for(request, sweep)), lock_(folder_.path()) {
-    if (const int damaged = folder_.remove_leftovers(); damaged > 0)
+    const int damaged = (share.is_whole() ? folder_ : folder_.part(share)).remove_leftovers();
+    if (damaged > 0)
         print_error(fmt::format("camopt: {} chunk(s) in {} were damaged and are solved again\n", damaged,
                                 request.out));
 }
@@ -233,27 +216,22 @@ ExitCode tell_interruption(const SweepFolder& folder) {
     return interrupted;
 }
 
-PoolTask chunk_task(const SweepFolder& folder, SweepJob& job) {
-    PoolTask task;
-    task.work = [&](int chunk, const std::function<void(int)>& tell) {
-        folder.write_chunk(chunk, job.solve(folder.identity().chunking.range(chunk), folder,
-                                            [&](const SweepRow& row) { tell(row.number); }));
-    };
-    task.lost = [&](int chunk, const std::string& reason) {
-        write_lost_chunk(folder, job.plan(), chunk, reason);
-    };
-    return task;
-}
-
 PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepJob& job, int workers,
-                                 const std::function<void()>& begin_worker) {
-    SweepProgress progress(folder.identity().chunking, folder.chunks(), folder.missing_chunks());
+                                 const std::function<void()>& begin_child) {
+    const std::vector<int> missing = folder.missing_chunks();
+    SweepProgress progress(folder.identity().chunking, folder.chunks(), missing);
     const auto line = terminal_progress();
-    PoolTask task = chunk_task(folder, job);
-    task.units = folder.missing_chunks();
-    task.workers = workers;
-    task.begin_worker = begin_worker;
+    const auto rows_of = [&](int chunk) { return folder.identity().chunking.range(chunk); };
+    PoolTask task{missing, workers, job.fence()};
+    task.work = [&](int chunk, const std::function<void(int)>& tell) {
+        folder.write_chunk(chunk,
+                           job.solve(rows_of(chunk), folder, [&](const SweepRow& row) { tell(row.number); }));
+    };
+    task.begin_child = begin_child;
     task.told = [&](int row) { progress.add(row); };
+    task.lost = [&](int chunk, const std::string& reason) {
+        folder.write_chunk(chunk, failed_rows(job.plan(), rows_of(chunk), reason));
+    };
     if (line) task.tick = [&] { line(progress.text()); };
     task.stop_requested = InterruptWatch::interrupted;
     const PoolOutcome outcome = run_workers(task);
@@ -292,6 +270,30 @@ SweepShard sweep_shard(const SweepRequest& request) {
         "--shard {}: not a fraction; allowed: i/N with i from 1 to N, for example 2/3", request.shard));
 }
 
+std::vector<PeakTriple> peaks_of_rows(const SweepTable& table) {
+    std::vector<PeakTriple> peaks;
+    for (const SweepRow& row : table.rows) {
+        const auto &velocity = row.figure(SweepFigure::velocity),
+                   &acceleration = row.figure(SweepFigure::acceleration),
+                   &jerk = row.figure(SweepFigure::jerk);
+        if (row.is_feasible() && velocity && acceleration && jerk)
+            peaks.push_back({*velocity, *acceleration, *jerk});
+    }
+    return peaks;
+}
+
+void write_study(const SweepFolder& folder, const Document& document, const std::string& json,
+                 const std::vector<FolderFile>& also) {
+    const SweepIdentity& identity = folder.identity();
+    const RunOrigin origin{identity.scene_file, "", identity.columns.machine ? "" : identity.scene_text};
+    FolderUpdate update(folder.path());
+    for (const FolderFile& file : document_files(document, origin, {identity.study + ".html", ""}))
+        update.write(file.name, file.text);
+    for (const FolderFile& file : also) update.write(file.name, file.text);
+    if (!json.empty()) update.write(identity.study + ".json", json);
+    update.finish();
+}
+
 ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene, std::string_view units) {
     const SweepShard& shard = folder.shard();
     // The Pareto front of a part would be wrong, so a part gets no sweep.csv.
@@ -305,7 +307,7 @@ ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene, std::string
     if (scene != nullptr) show_in(shown.emplace(*scene), units);
     std::string text = console_text(sweep_summary(table, shown ? &*shown : nullptr, title));
     if (shard.is_whole() && table.rows.size() <= most_drawn_rows)
-        write_sweep_pictures(folder, table, units);
+        write_study(folder, finished_document(folder.identity(), table, units));
     else if (shard.is_whole())
         text +=
             fmt::format("no sweep.svg and sweep.html: they are drawn for at most {} rows\n", most_drawn_rows);

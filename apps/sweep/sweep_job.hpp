@@ -7,10 +7,12 @@
 #include "apps/sweep/rank_launch.hpp"
 #include "core/platform/files.hpp"
 #include "core/platform/workers.hpp"
+#include "report/document/document_text.hpp"
 #include "report/folders/sweep_folder.hpp"
 #include "report/json/sweep_json.hpp"
 #include "scene/machine_spec.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/compare/law_losses.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <filesystem>
 #include <map>
@@ -28,6 +30,11 @@ class SweepJob {
     /// Reads and checks every row; throws InputError naming the first wrong one.
     [[nodiscard]] SweepColumns check();
     [[nodiscard]] int chunk_size();
+    /// Where its chunks are solved. A machine may take a solver that is not safe in threads, and takes
+    /// seconds.
+    [[nodiscard]] Fence fence() {
+        return is_machine_ || !is_safe_in_threads(scenes_.scene(0)) ? Fence::around_each : Fence::around_all;
+    }
     /// Rows solved one after another, with their result folders where these are asked for. Workers may be
     /// threads that call this at once.
     [[nodiscard]] std::vector<SweepRow> solve(RowRange rows, const SweepFolder& folder,
@@ -41,7 +48,6 @@ class SweepJob {
     [[nodiscard]] std::vector<std::string> row_settings(int row) const;  ///< of all rows, then its own
     [[nodiscard]] MachineSpec machine(int row) const;
     [[nodiscard]] SweepRow solve_machine_row(int row, const SweepFolder& folder) const;
-    [[nodiscard]] std::function<void(int row, const Solution&)> keeper(const SweepFolder& folder) const;
 
     SweepRequest request_;
     SceneText scene_;
@@ -58,7 +64,8 @@ class SweepJob {
 /// sweep; what a killed run left is gone. The constructor throws InputError.
 class WorkFolder {
  public:
-    WorkFolder(const SweepRequest& request, const StoredSweep& sweep);
+    /// share: of this program, if others work in the folder too.
+    WorkFolder(const SweepRequest& request, const StoredSweep& sweep, const SweepShard& share = {});
 
     [[nodiscard]] const SweepFolder& folder() const { return folder_; }
     /// In a forked child.
@@ -69,19 +76,26 @@ class WorkFolder {
     FolderLock lock_;
 };
 
+/// Keeps a result folder for every row. settings: of all rows, before those of each.
+[[nodiscard]] FoundSolution result_keeper(const SweepFolder& folder, const SceneText& scene,
+                                          std::vector<std::string> settings);
+
+/// Peaks of the rows that have them.
+[[nodiscard]] std::vector<PeakTriple> peaks_of_rows(const SweepTable& table);
+
+/// The files of a study but for its table: picture and page, named after it, report.md, tables.csv; its
+/// description, unless `json` is empty.
+void write_study(const SweepFolder& folder, const Document& document, const std::string& json = "",
+                 const std::vector<FolderFile>& also = {});
+
 /// "interrupted; 12 of 58 chunks are finished and kept in …"
 [[nodiscard]] ExitCode tell_interruption(const SweepFolder& folder);
 
-// The chunks of a sweep solved by worker processes, into its folder.
-
-/// A task whose units are chunks, with what a worker does with one and what is left of one that two workers
-/// died of: its rows are failed, with the cause of death as the reason. Both write to the folder.
-[[nodiscard]] PoolTask chunk_task(const SweepFolder& folder, SweepJob& job);
-
 /// Solves the chunks that are missing in the folder; each is written there by its worker as soon as it is
-/// finished. Progress goes to the terminal, if there is one.
+/// finished. The rows of a chunk that crashed twice are failed, with the cause of death as the reason.
+/// Progress goes to the terminal, if there is one. begin_child: as of PoolTask.
 [[nodiscard]] PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepJob& job, int workers,
-                                               const std::function<void()>& begin_worker);
+                                               const std::function<void()>& begin_child);
 
 // From the words of camopt sweep to what is asked for. All throw InputError.
 
@@ -124,9 +138,9 @@ class SweepParts {
 
 // camopt sweep under mpirun: one sweep by all ranks.
 
-/// Every rank solves one shard into its own folder beside --out, with --workers workers (default 1).
-/// Rank 0 then waits for the others, merges the shards into --out and prints the summary. Throws InputError;
-/// from other ranks than 0 some seconds later, since the launcher ends all ranks when the first one fails.
+/// Every rank solves one shard of the chunks into the folder of rank 0, with --workers workers (default 1).
+/// Rank 0 then waits for the others, writes the table and prints the summary. Throws InputError; from other
+/// ranks than 0 some seconds later, since the launcher ends all ranks when the first one fails.
 [[nodiscard]] ExitCode sweep_across_ranks(const SweepRequest& request, const RankLaunch& launch);
 
 }  // namespace camopt::apps

@@ -9,7 +9,7 @@
 #include "solvers/solver.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <chrono>
 #include <exception>
@@ -201,7 +201,6 @@ void solve_rows(const camopt_scene& given, const SweepPlan& plan, CallbackContro
     };
     int told = 0;
     const auto tell = [&](const SweepRow& row) {
-        if (callbacks.stopped()) return;  // solved halfway
         const ShownRow shown(row, columns, plan.rows());
         ++told;
         callbacks.call([&] {

@@ -2,7 +2,6 @@
 #include "report/csv/sweep_csv.hpp"
 
 #include "core/text/parsing.hpp"
-#include "core/word_of.hpp"
 #include "report/csv/csv_line.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
@@ -37,6 +36,12 @@ constexpr std::array<SweepPartColumn<SweepSought>, 2> sought_columns = {
 constexpr std::array<SweepPartColumn<SweepMachine>, 2> machine_columns = {
     {{"speed_rpm", "", &SweepMachine::speed, &rpm_shown},
      {"impossible_above_rpm", "", &SweepMachine::impossible_above, &rpm_shown}}};
+constexpr std::array<SweepPartColumn<SweepFrontPlace>, 5> front_columns = {
+    {{"point", "", &SweepFrontPlace::point, &without_unit},
+     {"arc", "", &SweepFrontPlace::arc, &without_unit},
+     {"weighted", "", &SweepFrontPlace::weighted, &without_unit},
+     {"limit_first", "", &SweepFrontPlace::limit_first, &without_unit},
+     {"limit_second", "", &SweepFrontPlace::limit_second, &without_unit}}};
 
 /// visit(columns of a part, the part of a row) for each that the sweep has, in their order.
 void for_each_part(const SweepColumns& columns, SweepRow& row, const auto& visit) {
@@ -45,6 +50,7 @@ void for_each_part(const SweepColumns& columns, SweepRow& row, const auto& visit
     if (columns.drive) visit(drive_columns, row.drive);
     if (columns.sought) visit(sought_columns, row.sought);
     if (columns.machine) visit(machine_columns, row.machine);
+    if (columns.front) visit(front_columns, row.front);
 }
 
 std::string dimension_column(DimensionIndex index) {
@@ -55,7 +61,16 @@ std::string dimension_column(DimensionIndex index) {
 void for_each_cell(auto&& cell, const SweepColumns& columns, SweepRow& row) {
     cell("row", row.number);
     row.settings.resize(columns.keys.size());
-    for (std::size_t i = 0; i < columns.keys.size(); ++i) cell(columns.keys[i], row.settings[i]);
+    for (std::size_t i = 0; i < columns.keys.size(); ++i) {
+        if (!columns.front) {
+            cell(columns.keys[i], row.settings[i]);
+            continue;
+        }
+        std::optional<double> cap;  // of a solve without one the cell is empty
+        if (!std::isnan(row.settings[i])) cap = row.settings[i];
+        cell(columns.keys[i], cap);
+        row.settings[i] = cap.value_or(std::numeric_limits<double>::quiet_NaN());
+    }
     cell("verdict", row.verdict);
     cell("reason", row.reason);
     cell("pareto_front", row.on_front);
@@ -70,6 +85,7 @@ void for_each_cell(auto&& cell, const SweepColumns& columns, SweepRow& row) {
     for_each_part(columns, row, [&](const auto& of_part, auto& part) {
         for (const auto& column : of_part) cell(column.name, part.*column.value, *column.file_unit);
     });
+    if (columns.front) cell("end", row.front.end);
     cell("active_limits", row.active_limits);
     cell("proof", row.proved_from);
     if (!columns.machine) {
@@ -197,15 +213,11 @@ SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
     columns.drive = has(drive_columns);
     columns.sought = has(sought_columns);
     columns.machine = has(machine_columns);
+    columns.front = has(front_columns);
     if (cells != sweep_csv_columns(columns))
         throw InputError(fmt::format("{}:{}: found other columns than those of a sweep; allowed: {}", name,
                                      record.line, fmt::join(sweep_csv_columns(columns), ",")));
     return columns;
-}
-
-bool is_dimension(const ParetoFront& front, int goal) {
-    return std::holds_alternative<DimensionIndex>(front.request.goals[goal]) &&
-           !(goal == 0 && front.request.keep_weights);
 }
 
 }  // namespace
@@ -252,37 +264,6 @@ SweepTable read_sweep_csv(std::string_view text, std::string_view name) {
         for_each_cell(Cells(record, name), table.columns, table.rows.emplace_back());
     }
     return table;
-}
-
-const char* name_of(FrontEnd value) {
-    return word_of<FrontEnd::beyond>(value, {"", "attained", "cut_off", "beyond"});
-}
-
-std::string goal_column(const ParetoFront& front, int goal) {
-    const std::string name = name_of(front.request.goals[goal]);
-    if (goal == 0 && front.request.keep_weights) return "weighted_" + name;
-    return is_dimension(front, goal) ? name + millimetres_shown.suffix : name;
-}
-
-double goal_value(const ParetoFront& front, int goal, double value) {
-    return is_dimension(front, goal) ? millimetres_shown.of(value) : value;
-}
-
-std::optional<std::array<double, 2>> any_curve_point(const ParetoFront& front, const FrontPoint& point) {
-    const std::optional<LimitCurve>& limit = point.solution.any_curve_limit;
-    if (!limit || front.request.keep_weights) return {};
-    std::array<double, 2> values{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto* figure = std::get_if<FrontFigure>(&front.request.goals[i]);
-        if (figure == nullptr) return {};
-        const std::optional<double> value = *figure == FrontFigure::velocity       ? limit->velocity
-                                            : *figure == FrontFigure::acceleration ? limit->acceleration
-                                            : *figure == FrontFigure::jerk         ? limit->jerk
-                                                                                   : std::nullopt;
-        if (!value) return {};
-        values[i] = *value;
-    }
-    return values;
 }
 
 }  // namespace camopt

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// sweep.csv: one line a row of the sweep, by number.
+// sweep.csv, pareto.csv and surface.csv: one line a row of the study, by number.
 //
 // Columns: row, the varied keys as written, verdict, reason, pareto_front (1 or 0), objective, lower_bound,
 // gap, any_curve_limit, the figures (normalised), the variable dimensions in mm, properties of the cam
-// (SweepColumns::cam) and of the motor, active_limits (keys, joined by "; "), proof, counts, seconds_solve,
-// seconds_total. Numbers read back as the same double; what does not exist is an empty cell. docs/sweep.md
-// explains each.
+// (SweepColumns::cam) and of the motor, places on a front, active_limits (keys, joined by "; "), proof,
+// counts, seconds_solve, seconds_total. Numbers read back as the same double; what does not exist is an empty
+// cell. docs/sweep.md explains each.
 #pragma once
 
 #include "report/view/shown_units.hpp"
-#include "studies/pareto/pareto_front.hpp"
+#include "studies/sweep/sweep_row.hpp"
 
 namespace camopt {
 
@@ -34,20 +34,5 @@ using SweepDriveColumn = SweepPartColumn<SweepDrive>;
 /// The table of such a text; SweepColumns::criteria does not stand in it and is left empty. Throws InputError
 /// "NAME:LINE: …" for anything that sweep_csv would not have written.
 [[nodiscard]] SweepTable read_sweep_csv(std::string_view text, std::string_view name);
-
-// The goals of a front in files.
-
-/// The name of a goal with its unit: "velocity", "base_radius_mm"; "weighted_velocity" where the scene's
-/// other weights stay in force.
-[[nodiscard]] std::string goal_column(const ParetoFront& front, int goal);
-
-/// A goal's value in that unit.
-[[nodiscard]] double goal_value(const ParetoFront& front, int goal, double value);
-
-/// What no curve can pass, for both goals of a point; none where it is not known or not finite.
-[[nodiscard]] std::optional<std::array<double, 2>> any_curve_point(const ParetoFront& front,
-                                                                   const FrontPoint& point);
-
-[[nodiscard]] const char* name_of(FrontEnd value);
 
 }  // namespace camopt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/folders/sweep_folder.hpp"
 
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "report/csv/sweep_csv.hpp"
 #include "report/folders/result_folder.hpp"
@@ -15,8 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* description = "sweep.json";
 constexpr const char* chunk_folder = "chunks";
+
+fs::path description_in(const fs::path& path, const std::string& study) {
+    return path / (study + ".json");
+}
 
 bool is_half_written(const fs::path& path) {
     return path.extension() == ".tmp";
@@ -33,9 +37,11 @@ bool is_unused_sweep_folder(const fs::path& path) {
 }
 
 SweepFolder SweepFolder::create(const fs::path& path, const StoredSweep& sweep) {
-    if (!is_unused_sweep_folder(path)) {
+    const fs::path file = description_in(path, sweep.identity.study);
+    const bool grid = sweep.identity.is_grid();
+    if (grid && !is_unused_sweep_folder(path)) {
         std::error_code error;
-        if (fs::exists(path / description, error))
+        if (fs::exists(file, error))
             throw InputError(
                 fmt::format("{} holds a sweep already; allowed: --resume to continue it, or another "
                             "folder",
@@ -44,18 +50,26 @@ SweepFolder SweepFolder::create(const fs::path& path, const StoredSweep& sweep) 
             fmt::format("{} is not empty and holds no sweep; allowed: a new or empty folder", path.string()));
     }
     prepare_folder(path);
-    write_durable_text_file(path / description, sweep_json(sweep));
-    prepare_folder(path / chunk_folder);
-    return {path, sweep};
+    SweepFolder folder(path, sweep);
+    if (!grid) fs::remove(folder.table_path());
+    write_durable_text_file(file, sweep_json(sweep));
+    if (grid) prepare_folder(path / chunk_folder);
+    return folder;
 }
 
-SweepFolder SweepFolder::open(const fs::path& path) {
+bool SweepFolder::holds(const fs::path& path, const std::string& study) {
     std::error_code error;
-    const fs::path file = path / description;
-    if (!fs::exists(file, error))
-        throw InputError(fmt::format("{} holds no sweep: it has no {}", path.string(), description));
-    SweepFolder folder(path, read_sweep_json(read_text_file(file), file.string()));
-    prepare_folder(path / chunk_folder);  // a run killed right after its start may not have made it
+    return fs::exists(description_in(path, study), error);
+}
+
+SweepFolder SweepFolder::open(const fs::path& path, const std::string& study) {
+    const fs::path file = description_in(path, study);
+    if (!holds(path, study))
+        throw InputError(
+            fmt::format("{} holds no {}: it has no {}", path.string(), study, file.filename().string()));
+    SweepFolder folder(path, read_sweep_json(read_text_file(file), file.string(), study));
+    if (folder.identity().is_grid())
+        prepare_folder(path / chunk_folder);  // a run killed right after its start may not have made it
     return folder;
 }
 
@@ -70,17 +84,20 @@ std::vector<int> SweepFolder::chunks() const {
     return numbers;
 }
 
+bool SweepFolder::has_chunk(int chunk) const {
+    std::error_code error;
+    return fs::exists(chunk_path(chunk), error);
+}
+
 std::vector<int> SweepFolder::finished_chunks() const {
     std::vector<int> numbers = chunks();
-    std::error_code error;
-    std::erase_if(numbers, [&](int chunk) { return !fs::exists(chunk_path(chunk), error); });
+    std::erase_if(numbers, [&](int chunk) { return !has_chunk(chunk); });
     return numbers;
 }
 
 std::vector<int> SweepFolder::missing_chunks() const {
     std::vector<int> numbers = chunks();
-    std::error_code error;
-    std::erase_if(numbers, [&](int chunk) { return fs::exists(chunk_path(chunk), error); });
+    std::erase_if(numbers, [&](int chunk) { return has_chunk(chunk); });
     return numbers;
 }
 
@@ -112,14 +129,24 @@ std::vector<SweepRow> SweepFolder::read_chunk(int chunk) const {
     return std::move(table.rows);
 }
 
+/// What is no chunk belongs to the first shard.
+bool SweepFolder::may_remove(const fs::path& file) const {
+    const std::string name = file.filename().string();
+    const std::string number = name.substr(0, name.find('.'));
+    const std::optional<long long> chunk = integer_in(number.substr(number.rfind('_') + 1));
+    return shard().holds(chunk ? static_cast<int>(*chunk) : 0);
+}
+
 int SweepFolder::remove_leftovers() const {
+    std::vector<fs::path> half_written;
     for (const fs::path& folder : {path_, path_ / chunk_folder}) {
-        std::vector<fs::path> half_written;
+        if (!fs::exists(folder)) continue;
         for (const auto& entry : fs::directory_iterator(folder))
-            if (is_half_written(entry.path())) half_written.push_back(entry.path());
-        std::error_code gone;
-        for (const fs::path& file : half_written) fs::remove(file, gone);
+            if (is_half_written(entry.path()) && may_remove(entry.path()))
+                half_written.push_back(entry.path());
     }
+    std::error_code gone;
+    for (const fs::path& file : half_written) fs::remove(file, gone);
     int damaged = 0;
     for (const int chunk : finished_chunks()) {
         try {
@@ -139,10 +166,19 @@ SweepTable SweepFolder::table() const {
     return table;
 }
 
+std::vector<SweepRow> SweepFolder::written_rows() const {
+    if (!fs::exists(table_path())) return {};
+    return read_sweep_csv(read_text_file(table_path()), table_path().string()).rows;
+}
+
+void SweepFolder::write_rows(const SweepTable& so_far) const {
+    write_durable_text_file(table_path(), sweep_csv(so_far));
+}
+
 SweepTable SweepFolder::write_table() const {
     SweepTable complete = table();
     mark_front(complete);
-    write_durable_text_file(table_path(), sweep_csv(complete));
+    write_rows(complete);
     return complete;
 }
 

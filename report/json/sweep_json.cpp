@@ -16,15 +16,13 @@ static void fields(const JsonFields& json, SweepShard& shard) {
     json.check("index", shard.index >= 1 && shard.index <= shard.count, fmt::format("1 to {}", shard.count));
 }
 
-static void fields(const JsonFields& json, StoredSweep& sweep) {
+static void grid_fields(const JsonFields& json, StoredSweep& sweep) {
     SweepIdentity& identity = sweep.identity;
     SweepColumns& columns = identity.columns;
     const auto count = [&](const char* key, int& number) {
         json(key, number);
         json.check(key, number >= 1 && number <= most_sweep_rows, fmt::format("1 to {}", most_sweep_rows));
     };
-    json("camopt", identity.version);
-    json("scene", identity.scene_file);
     json("settings", identity.settings);
     json("axes", identity.axes);
     json("plan", identity.plan);
@@ -39,28 +37,37 @@ static void fields(const JsonFields& json, StoredSweep& sweep) {
     json("machine", columns.machine);
     json("criteria", columns.criteria);
     json("length_unit", columns.length_unit);
+}
+
+/// found: written only.
+static void fields(const JsonFields& json, StoredSweep& sweep, const Json& found = Json::object()) {
+    SweepIdentity& identity = sweep.identity;
+    json("camopt", identity.version);
+    json("scene", identity.scene_file);
+    if (identity.is_grid()) {
+        grid_fields(json, sweep);
+    } else {
+        json.unless("settings", identity.settings, std::vector<std::string>());
+        json.unless("axes", identity.axes, std::vector<std::string>());
+        if (double* const error = json.if_there("error_asked_for", identity.error))
+            json("error_asked_for", *error);
+    }
+    for (const auto& [key, value] : found.items()) json.shown(key, value);
     json("scene_text", identity.scene_text);
 }
 
-/// surface: written only.
-static void fields(const JsonFields& json, SurfaceIdentity& identity, const TradeOffSurface& surface) {
-    json("camopt", identity.version);
-    json("scene", identity.scene_file);
-    json("error_asked_for", identity.error);
-    json.shown("error", number_json(surface.error));
-    json.shown("end", name_of(surface.end));
-    json.shown("solves", surface.table.rows.size());
-    json.shown("reference", Json{{"velocity", number_json(surface.reference[0])},
-                                 {"acceleration", number_json(surface.reference[1])},
-                                 {"jerk", number_json(surface.reference[2])}});
-    json.shown("triangles", surface.triangles);
-    json("scene_text", identity.scene_text);
+static std::string text_of(const StoredSweep& sweep, const Json& found) {
+    Json json;
+    fields(JsonFields(json), to_write(sweep), found);
+    return json_text(json);
 }
 
 std::string difference(const SweepIdentity& one, const SweepIdentity& other) {
     if (one.version != other.version) return fmt::format("camopt {}, not {}", one.version, other.version);
     if (one.scene_text != other.scene_text) return "another scene";
     if (one.settings != other.settings) return "other settings (--set, --solver)";
+    if (!one.is_grid())
+        return one.error || one.axes == other.axes ? "" : "other goals (--pareto, --keep-weights)";
     if (one.columns.keys != other.columns.keys) return "other keys that vary";
     if (one.chunking.rows != other.chunking.rows)
         return fmt::format("{} rows, not {}", one.chunking.rows, other.chunking.rows);
@@ -71,29 +78,40 @@ std::string difference(const SweepIdentity& one, const SweepIdentity& other) {
 }
 
 std::string sweep_json(const StoredSweep& sweep) {
-    return json_text(written(sweep));
+    return text_of(sweep, Json::object());
 }
 
-StoredSweep read_sweep_json(std::string_view text, std::string_view name) {
-    return JsonFields(text, name, "a description of a sweep").as<StoredSweep>();
+std::string sweep_json(const StoredSweep& sweep, const TradeOffSurface& surface) {
+    Json found;
+    found["error"] = number_json(surface.error);
+    found["end"] = name_of(surface.end);
+    found["solves"] = surface.table.rows.size();
+    found["reference"] = {{"velocity", number_json(surface.reference[0])},
+                          {"acceleration", number_json(surface.reference[1])},
+                          {"jerk", number_json(surface.reference[2])}};
+    found["triangles"] = surface.triangles;
+    return text_of(sweep, found);
 }
 
-std::string surface_json(const SurfaceIdentity& identity, const TradeOffSurface& surface) {
-    Json json;
-    fields(JsonFields(json), to_write(identity), surface);
-    return json_text(json);
+std::string sweep_json(const StoredSweep& sweep, const ParetoFront& front) {
+    Json found;
+    found["goals"] = {name_of(front.request.goals[0]), name_of(front.request.goals[1])};
+    found["complete"] = front.complete;
+    found["even"] = front.even;
+    found["solves"] = front.points.size();
+    found["spacing"] = {{"least", number_json(front.spacing.least)},
+                        {"mean", number_json(front.spacing.mean)},
+                        {"most", number_json(front.spacing.most)},
+                        {"length", number_json(front.spacing.length)},
+                        {"jumps", front.spacing.jumps}};
+    return text_of(sweep, found);
 }
 
-SurfaceIdentity read_surface_json(std::string_view text, std::string_view name) {
-    SurfaceIdentity identity;
-    fields(JsonFields(text, name, "a description of a surface"), identity, {});
-    return identity;
-}
-
-std::string difference(const SurfaceIdentity& one, const SurfaceIdentity& other) {
-    if (one.version != other.version) return fmt::format("camopt {}, not {}", one.version, other.version);
-    if (one.scene_text != other.scene_text) return "another scene";
-    return {};
+StoredSweep read_sweep_json(std::string_view text, std::string_view name, const std::string& study) {
+    StoredSweep sweep;
+    sweep.identity.study = study;
+    fields(JsonFields(text, name, "a description of a sweep"), sweep);
+    return sweep;
 }
 
 }  // namespace camopt

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// sweep.json: what a folder of a sweep holds, so that a run can be continued and parts can be joined.
+// sweep.json, pareto.json, surface.json: what the folder of a study of many solves holds, so that a run can
+// be continued, parts can be joined and any weight of a surface be looked up.
 #pragma once
 
+#include "studies/pareto/pareto_front.hpp"
 #include "studies/surface/trade_off_surface.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
@@ -13,10 +15,17 @@ struct SweepIdentity {
     std::string scene_file;             ///< as given; for people, another path to the same text is the same
     std::string scene_text;             ///< the scene file as it was read
     std::vector<std::string> settings;  ///< KEY=VALUE, the same for all rows
-    std::vector<std::string> axes;      ///< "--weights simplex:20", …: for people
+    std::vector<std::string> axes;      ///< "--weights simplex:20", …: for people; of a front its goals
     std::string plan;                   ///< fingerprint (studies/sweep/sweep_plan.hpp)
     SweepColumns columns;
     Chunking chunking;
+    /// The name of its files: "sweep", whose rows are known before they are solved; or "pareto", "surface",
+    /// each of whose rows depends on those before, which have neither plan, columns nor chunks here.
+    std::string study = "sweep";
+    std::optional<double> error =
+        {};  ///< of a surface: asked for; a run with another one goes on all the same
+
+    [[nodiscard]] bool is_grid() const { return study == "sweep"; }
 };
 
 /// What makes two sweeps different ones, in words ("another scene file"); empty where nothing does.
@@ -36,27 +45,14 @@ struct StoredSweep {
 };
 
 [[nodiscard]] std::string sweep_json(const StoredSweep& sweep);
+/// The same with what was found: reference, proved error and triangles of a surface (docs/sweep.md); goals
+/// and spacing of a front.
+[[nodiscard]] std::string sweep_json(const StoredSweep& sweep, const TradeOffSurface& surface);
+[[nodiscard]] std::string sweep_json(const StoredSweep& sweep, const ParetoFront& front);
 
-/// Throws InputError "NAME: KEY: found …; allowed: …" for what is no such text.
-[[nodiscard]] StoredSweep read_sweep_json(std::string_view text, std::string_view name);
-
-// surface.json: what a folder of camopt sweep --surface holds beside its table, so that a run can be
-// continued and any weight be looked up.
-
-/// Everything that its rows depend on, and what was asked for.
-struct SurfaceIdentity {
-    std::string version;     ///< of the camopt that made it
-    std::string scene_file;  ///< as given; for people
-    std::string scene_text;  ///< as it was read, with the settings worked in
-    double error = 0.0;      ///< asked for
-};
-
-[[nodiscard]] std::string surface_json(const SurfaceIdentity& identity, const TradeOffSurface& surface);
-
-/// Throws InputError "NAME: KEY: found …; allowed: …" for what is no such text.
-[[nodiscard]] SurfaceIdentity read_surface_json(std::string_view text, std::string_view name);
-
-/// Why rows of one are no rows of the other, in words; empty where they are.
-[[nodiscard]] std::string difference(const SurfaceIdentity& one, const SurfaceIdentity& other);
+/// study: of which it is the description. Throws InputError "NAME: KEY: found …; allowed: …" for what is
+/// none.
+[[nodiscard]] StoredSweep read_sweep_json(std::string_view text, std::string_view name,
+                                          const std::string& study = "sweep");
 
 }  // namespace camopt

@@ -209,7 +209,7 @@ std::vector<FolderFile> document_files(const Document& document, const RunOrigin
                                        const DocumentNames& names) {
     std::vector<FolderFile> files = text_files(document, origin);
     files.push_back({names.page, document_html(document, origin)});
-    files.push_back({names.json, document_json(document)});
+    if (!names.json.empty()) files.push_back({names.json, document_json(document)});
     return files;
 }
 

@@ -115,7 +115,7 @@ struct PageHtml {
 
 [[nodiscard]] std::string document_html(const Document& document, const RunOrigin& origin = {});
 
-/// Names of files that studies promised before they had documents.
+/// Names of files that studies promised before they had documents. json: empty, there is none.
 struct DocumentNames {
     std::string page = "report.html", json = "document.json";
 };

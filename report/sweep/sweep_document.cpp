@@ -3,7 +3,7 @@
 
 #include "core/text/list_text.hpp"
 #include "report/view/shown_units.hpp"
-#include "studies/sweep/sweep_axis.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>
 
@@ -147,9 +147,7 @@ Document sweep_document(const SweepPicture& picture, const SweepIdentity& identi
         [](const SweepRow& row) { return fmt::format("{}", fmt::join(row.active_limits, "; ")); });
     add({.key = "reason", .left = true}, [](const SweepRow& row) { return row.reason; });
     for (const SweepRow& row : table.rows) {
-        std::vector<std::string> own(table.columns.keys.size());
-        for (std::size_t k = 0; k < own.size(); ++k)
-            own[k] = setting_text(table.columns.keys[k], row.settings[k]);
+        std::vector<std::string> own = settings_of(table.columns.keys, row.settings);
         RowMotion& motion =
             rows.motions.emplace_back(RowMotion{fmt::format("row {}: {}", row.number, fmt::join(own, ", ")),
                                                 !row.is_feasible() ? "bad"
@@ -164,7 +162,7 @@ Document sweep_document(const SweepPicture& picture, const SweepIdentity& identi
         rows.axes = {"A", "V"};
     else
         rows.axes = {by, quantities.front().symbol};
-    section.pictures = {{"sweep", "The rows of the sweep", sweep_chart(picture)}};
+    section.pictures = {{identity.study, "The rows of the sweep", sweep_chart(picture)}};
     if (!with_scenes) {
         std::string command =
             fmt::format("camopt {} {}", machine ? "machine" : "solve", shell_word(identity.scene_file));

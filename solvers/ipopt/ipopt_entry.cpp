@@ -9,6 +9,7 @@ namespace camopt {
 SolverEntry ipopt_entry() {
     SolverEntry entry;
     entry.name = "ipopt";
+    entry.safe_in_threads = false;
     entry.method =
         "primal-dual interior point with a filter line search, exact sparse derivatives, any smooth problem";
     entry.version = ipopt_version();

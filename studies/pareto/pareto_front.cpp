@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "studies/pareto/pareto_front.hpp"
 
+#include "core/word_of.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/least/least_value.hpp"
 #include "studies/pareto/front_chain.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/sweep/row_chain.hpp"
 
 #include <fmt/format.h>
 
@@ -21,9 +22,18 @@ constexpr double aim = 0.9;
 
 class Tracer {
  public:
-    Tracer(const Scene& scene, const FrontRequest& request, const SolveControl& control,
-           const std::function<void(const FrontPoint&)>& finished)
-        : scene_(scene), request_(request), control_(control), finished_(finished) {}
+    Tracer(const Scene& scene, const FrontRequest& request, const RowRun& run)
+        : scene_(scene), request_(request), run_(run) {
+        std::array<Scene, 2> posed{scene_with(0, {}), scene_with(1, {})};
+        ObjectiveSpec own = scene.objective;
+        for (const ObjectiveWeight& weight : objective_weights())
+            for (Scene& one : posed)
+                if (weight.in(own) != weight.in(one.objective) &&
+                    (weights_.empty() || weights_.back() != &weight))
+                    weights_.push_back(&weight);
+        table_.columns = columns_of(keys(), posed);
+        table_.columns.front = true;
+    }
 
     [[nodiscard]] ParetoFront trace() {
         const bool ends = find_ends();
@@ -38,6 +48,7 @@ class Tracer {
             sort_points(chain);
         }
         front_.request = request_;
+        front_.columns = table_.columns;
         front_.complete = ends && !stopped_;
         std::ranges::stable_sort(points_, [](const FrontPoint& one, const FrontPoint& other) {
             if (one.is_feasible() != other.is_feasible()) return one.is_feasible();
@@ -63,38 +74,70 @@ class Tracer {
         if (cap) set_cap(scene, request_.goals[static_cast<std::size_t>(1 - minimized)], *cap);
         return scene;
     }
-    [[nodiscard]] std::array<double, 2> values_of(const Solution& solution, int minimized) const {
+    /// Every weight that some solve does not take from the scene as it is, and the caps.
+    [[nodiscard]] std::vector<std::string> keys() const {
+        std::vector<std::string> keys;
+        for (const ObjectiveWeight* const weight : weights_) keys.push_back(weight->key);
+        for (const int goal : {0, 1})
+            if (can_cap(goal)) keys.push_back(cap_setting(scene_, request_.goals[goal], 0.0).key);
+        return keys;
+    }
+    [[nodiscard]] std::vector<double> settings(Scene& posed, int minimized,
+                                               const std::optional<double>& cap) const {
+        std::vector<double> values;
+        for (const ObjectiveWeight* const weight : weights_) values.push_back(weight->in(posed.objective));
+        for (const int goal : {0, 1})
+            if (can_cap(goal))
+                values.push_back(cap && goal != minimized
+                                     ? cap_setting(scene_, request_.goals[goal], *cap).value
+                                     : std::numeric_limits<double>::quiet_NaN());
+        return values;
+    }
+    [[nodiscard]] std::array<double, 2> values_of(const SweepRow& row, const Scene& posed,
+                                                  int minimized) const {
         const auto& [first, second] = request_.goals;
-        std::array<double, 2> value{value_of(solution, first), value_of(solution, second)};
+        std::array<double, 2> value{value_of(row, first), value_of(row, second)};
         if (request_.keep_weights) {
-            const double of_second =
-                weight_of(solution.scene, second) * value[1] / reference_of(scene_, second);
-            value[0] =
-                (solution.certificate.objective - of_second) / (minimized == 1 ? lexicographic_weight : 1.0);
+            const double of_second = weight_of(posed, second) * value[1] / reference_of(scene_, second);
+            value[0] = (*row.objective - of_second) / (minimized == 1 ? lexicographic_weight : 1.0);
         }
         return value;
+    }
+    /// What no curve can pass, for both goals; none where it is not known or not finite.
+    void note_limit(SweepRow& row, const Solution& solution) const {
+        if (!solution.any_curve_limit || request_.keep_weights) return;
+        const LimitCurve& limit = *solution.any_curve_limit;
+        std::array<std::optional<double>, 2> values;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto* figure = std::get_if<FrontFigure>(&request_.goals[i]);
+            if (figure == nullptr) continue;
+            if (*figure == FrontFigure::velocity) values[i] = limit.velocity;
+            if (*figure == FrontFigure::acceleration) values[i] = limit.acceleration;
+            if (*figure == FrontFigure::jerk) values[i] = limit.jerk;
+        }
+        if (!values[0] || !values[1]) return;
+        row.front.limit_first = values[0];
+        row.front.limit_second = values[1];
     }
     [[nodiscard]] FrontNode node(int point) const {
         return {point, points_[static_cast<std::size_t>(point)].value};
     }
     /// The number of the new point; none where the control stopped it.
     std::optional<int> solve(int minimized, const std::optional<double>& cap) {
-        if (control_.stopped()) stopped_ = true;
         if (stopped_) return {};
-        FrontPoint point;
-        point.number = static_cast<int>(points_.size());
+        Scene posed = scene_with(minimized, cap);
+        const SweepRow* const row = chain_.solve(
+            settings(posed, minimized, cap), [&] { return posed; },
+            [this](SweepRow& solved, const Solution& solution) { note_limit(solved, solution); });
+        stopped_ = row == nullptr;
+        if (stopped_) return {};
+        FrontPoint& point = points_.emplace_back();
+        point.row = *row;
         point.minimized = minimized;
         point.cap = cap;
-        point.solution = solve_without_explaining(scene_with(minimized, cap), control_, &known_);
-        point.solution.certificate.proof.reset();
-        if (control_.stopped()) {  // what it came to then is an accident
-            stopped_ = true;
-            return {};
-        }
-        if (point.is_feasible()) point.value = values_of(point.solution, minimized);
-        points_.push_back(std::move(point));
-        if (finished_) finished_(points_.back());
-        return points_.back().number;
+        if (point.is_feasible()) point.value = values_of(*row, posed, minimized);
+        if (run_.row_done) run_.row_done(table_, std::nullopt);
+        return row->number;
     }
     /// The end of least goal `end`, or where the cut-off puts it.
     [[nodiscard]] std::optional<int> end_within(int end, int other_end) {
@@ -226,9 +269,10 @@ class Tracer {
 
     const Scene& scene_;
     const FrontRequest& request_;
-    const SolveControl& control_;
-    const std::function<void(const FrontPoint&)>& finished_;
-    KnownSolutions known_;
+    const RowRun& run_;
+    std::vector<const ObjectiveWeight*> weights_;  ///< of the keys
+    SweepTable table_;
+    RowChain chain_{run_, table_};
     std::vector<FrontPoint> points_;
     std::array<int, 2> ends_{-1, -1};
     bool stopped_ = false;
@@ -241,8 +285,8 @@ void require(bool right, const char* what, double found, const char* allowed) {
 
 }  // namespace
 
-bool FrontPoint::is_feasible() const {
-    return has_feasible_motion(solution.certificate.verdict);
+const char* name_of(FrontEnd value) {
+    return word_of<FrontEnd::beyond>(value, {"", "attained", "cut_off", "beyond"});
 }
 
 void FrontRequest::validate(const Scene& scene) const {
@@ -264,12 +308,26 @@ void FrontRequest::validate(const Scene& scene) const {
             keep_weights ? "as the second" : "one of the two"));
 }
 
-ParetoFront pareto_front(const Scene& scene, const FrontRequest& request, const SolveControl& control,
-                         const std::function<void(const FrontPoint&)>& finished) {
+ParetoFront pareto_front(const Scene& scene, const FrontRequest& request, const RowRun& run) {
     const Scene written = with_written_limits(scene);
     validate(written);
     request.validate(written);
-    return Tracer(written, request, control, finished).trace();
+    return Tracer(written, request, run).trace();
+}
+
+SweepTable front_table(const ParetoFront& front) {
+    SweepTable table{front.columns, {}};
+    for (const FrontPoint& point : front.points) {
+        SweepRow& row = table.rows.emplace_back(point.row);
+        row.front.end = name_of(point.end);
+        row.on_front = point.is_feasible() && !point.dominated && point.end != FrontEnd::beyond;
+        if (!point.is_feasible()) continue;
+        if (point.place >= 0) row.front.point = point.place;
+        row.front.arc = point.arc;
+        if (front.request.keep_weights) row.front.weighted = point.value[0];
+    }
+    std::ranges::sort(table.rows, {}, &SweepRow::number);
+    return table;
 }
 
 }  // namespace camopt

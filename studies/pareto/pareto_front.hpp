@@ -17,10 +17,12 @@
 //
 // Points are spaced evenly along the front (front_chain.hpp): the longest pieces are halved until the shape
 // is known, then points are put at equal distances and corrected. All solves are kept: those between the
-// spaced points have no place. The order of the solves, hence every number, is fixed by the request alone.
+// spaced points have no place. The order of the solves, hence every number, is fixed by the request alone; a
+// run that goes on from known rows solves what they lack.
 #pragma once
 
 #include "studies/pareto/sweep_front.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 namespace camopt {
 
@@ -52,7 +54,7 @@ enum class FrontEnd {
 };
 
 struct FrontPoint {
-    int number = 0;  ///< in the order of the solves, from 0
+    SweepRow row;    ///< its solve; numbers are in the order of the solves, from 0
     int place = -1;  ///< among the spaced points, from the end of least first goal; -1: none
     FrontEnd end = FrontEnd::none;
     int minimized = 0;          ///< which goal was minimized
@@ -61,10 +63,10 @@ struct FrontPoint {
     std::array<double, 2> value{};
     double arc = 0.0;        ///< along the front from the end of least first goal, in the unit box
     bool dominated = false;  ///< by another point: only where the scene is not convex
-    Solution solution;       ///< of the scene with the cap, without its proof
 
-    [[nodiscard]] bool is_feasible() const;
+    [[nodiscard]] bool is_feasible() const { return row.is_feasible(); }
 };
+[[nodiscard]] const char* name_of(FrontEnd value);
 
 /// Gaps between neighbouring spaced points along the front, in the unit box.
 struct FrontSpacing {
@@ -75,16 +77,19 @@ struct FrontSpacing {
 
 struct ParetoFront {
     FrontRequest request;
+    SweepColumns columns;            ///< of the rows; keys: the weights that matter, and the caps
     std::vector<FrontPoint> points;  ///< feasible ones by ascending first goal, then the others
     FrontSpacing spacing;
     bool even = false;      ///< the spacing keeps what was asked
     bool complete = false;  ///< not stopped, both ends found
 };
 
-/// `finished` sees every solve as it ends (place and arc are not known yet). Throws as solve() does; what a
-/// solve comes to is a verdict in its point. Stopped by the control it returns what it has.
+/// Throws as solve() does; what a solve comes to is a verdict in its point. Stopped by the control it returns
+/// what it has. run.row_done sees the rows in the order of the solves, before their places are known.
 [[nodiscard]] ParetoFront pareto_front(const Scene& scene, const FrontRequest& request,
-                                       const SolveControl& control = {},
-                                       const std::function<void(const FrontPoint&)>& finished = {});
+                                       const RowRun& run = {});
+
+/// Its rows by number, with their places; on_front: what no other point dominates.
+[[nodiscard]] SweepTable front_table(const ParetoFront& front);
 
 }  // namespace camopt

@@ -216,6 +216,16 @@ void set_cap(Scene& scene, const FrontGoal& goal, double value) {
     scene.cam->set(which, {low, std::max(value, low)});
 }
 
+CapSetting cap_setting(const Scene& scene, const FrontGoal& goal, double value) {
+    if (const FrontFigure* figure = figure_of(goal)) {
+        const std::optional<PeakLimit>& limit = peak_limit(scene, *figure);
+        if (!limit) return {"limits." + name_of(goal), value};
+        return {limit->key, value * limit->unit_per_normalised()};
+    }
+    const Dimension& dimension = *scene.cam->find(std::get<DimensionIndex>(goal));
+    return {dimension.key + ".max", std::max(value, dimension.low) / dimension.unit};
+}
+
 double weight_of(const Scene& scene, const FrontGoal& goal) {
     if (const FrontFigure* figure = figure_of(goal)) return scene.objective.*cost_term(*figure).weight;
     return scene.objective.dimensions[static_cast<std::size_t>(std::get<DimensionIndex>(goal))];
@@ -230,15 +240,14 @@ void set_weight(Scene& scene, const FrontGoal& goal, double weight) {
 }
 
 void scale_weights(Scene& scene, double factor) {
-    for (const CostTerm& term : cost_terms()) scene.objective.*term.weight *= factor;
-    for (const ResponseTerm& term : response_terms()) scene.objective.*term.weight *= factor;
-    for (double& weight : scene.objective.dimensions) weight *= factor;
+    for (const ObjectiveWeight& weight : objective_weights()) weight.in(scene.objective) *= factor;
 }
 
-double value_of(const Solution& solution, const FrontGoal& goal) {
+double value_of(const SweepRow& row, const FrontGoal& goal) {
     const FrontFigure* const figure = figure_of(goal);
-    if (figure == nullptr) return delivered_dimension(solution, std::get<DimensionIndex>(goal)).value();
-    return cost_term(*figure).measured.of(solution.peaks);
+    const std::optional<double>& value =
+        figure != nullptr ? row.figure(*figure) : row.dimension(std::get<DimensionIndex>(goal));
+    return value.value_or(absent);
 }
 
 double reference_of(const Scene& scene, const FrontGoal& goal) {

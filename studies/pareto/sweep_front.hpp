@@ -47,13 +47,20 @@ using FrontGoal = std::variant<FrontFigure, DimensionIndex>;
 /// Demands goal <= value; value must not lie above the scene's own limit, nor below a dimension's least.
 void set_cap(Scene& scene, const FrontGoal& goal, double value);
 
+/// A cap as --set takes it: its key, and a value in the unit of the key.
+struct CapSetting {
+    std::string key;
+    double value = 0.0;
+};
+[[nodiscard]] CapSetting cap_setting(const Scene& scene, const FrontGoal& goal, double value);
+
 [[nodiscard]] double weight_of(const Scene& scene, const FrontGoal& goal);
 void set_weight(Scene& scene, const FrontGoal& goal, double weight);
 /// All weights of the scene times a number >= 0.
 void scale_weights(Scene& scene, double factor);
 
-/// The solution must have a motion.
-[[nodiscard]] double value_of(const Solution& solution, const FrontGoal& goal);
+/// The row must have a motion.
+[[nodiscard]] double value_of(const SweepRow& row, const FrontGoal& goal);
 
 /// What the objective divides it by. The reference peaks must be finite where a weight is set.
 [[nodiscard]] double reference_of(const Scene& scene, const FrontGoal& goal);

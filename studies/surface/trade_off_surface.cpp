@@ -4,8 +4,7 @@
 #include "core/word_of.hpp"
 #include "studies/least/least_value.hpp"
 #include "studies/pareto/sweep_front.hpp"
-#include "studies/search/planned_solve.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/row_chain.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -64,26 +63,22 @@ void refuse_other_terms(const Scene& scene) {
 /// Bounds from above and below, fed solve by solve.
 class SurfaceSearch {
  public:
-    SurfaceSearch(const Scene& scene, const SurfaceRequest& request, const SolveControl& control,
-                  std::vector<SweepRow> known, const std::function<void(const TradeOffSurface&)>& finished)
-        : scene_(scene),
-          request_(request),
-          control_(control),
-          known_(std::move(known)),
-          finished_(finished) {}
+    SurfaceSearch(const Scene& scene, const SurfaceRequest& request, const RowRun& run)
+        : scene_(scene), request_(request), run_(run) {}
 
     [[nodiscard]] TradeOffSurface run() {
+        std::vector<std::string> keys;
         for (const FrontFigure term : surface_terms)
-            surface_.table.columns.keys.push_back(fmt::format("objective.{}", name_of(FrontGoal(term))));
-        surface_.table.columns.criteria = {"velocity", "acceleration", "jerk"};
-        surface_.table.columns.length_unit = scene_.length_unit;
+            keys.push_back(fmt::format("objective.{}", name_of(FrontGoal(term))));
+        const Scene within = weighted(scene_, Eigen::Vector3d::Constant(1.0 / 3.0));
+        surface_.table.columns = columns_of(std::move(keys), std::span(&within, 1));
         for (std::size_t k = 0; k < 3; ++k) surface_.reference[k] = reference_of(scene_, surface_terms[k]);
         if (!begin()) return std::move(surface_);
         while (true) {
             HullTriangle* const triangle = widest();
-            if (finished_) {
+            if (run_.row_done) {
                 describe();
-                finished_(surface_);
+                run_.row_done(surface_.table, surface_.error);
             }
             if (triangle == nullptr) {
                 describe();
@@ -111,39 +106,16 @@ class SurfaceSearch {
     }
 
  private:
-    /// The next row: one that is known, or a solve. False: the search ends with it.
+    /// False: the search ends with it.
     bool take(const Eigen::Vector3d& weights) {
-        std::vector<SweepRow>& rows = surface_.table.rows;
-        const auto next = rows.size();
-        const std::vector<double> settings{weights[0], weights[1], weights[2]};
-        if (next < known_.size() && known_[next].settings == settings) {
-            rows.push_back(known_[next]);
-        } else {
-            known_.resize(std::min(known_.size(), next));
-            if (control_.stopped()) {
-                surface_.end = SurfaceEnd::interrupted;
-                return false;
-            }
-            SweepRow row = solve(weights);
-            if (control_.stopped()) {  // what it came to then is an accident
-                surface_.end = SurfaceEnd::interrupted;
-                return false;
-            }
-            rows.push_back(std::move(row));
-        }
-        if (!has_motion_and_bound(rows.back())) {
-            surface_.end = SurfaceEnd::no_motion;
+        const SweepRow* const row =
+            chain_.solve(triple_of(weights), [&] { return weighted(scene_, weights); });
+        if (row == nullptr || !has_motion_and_bound(*row)) {
+            surface_.end = row == nullptr ? SurfaceEnd::interrupted : SurfaceEnd::no_motion;
             return false;
         }
-        points_.push_back(vector_of(surface_.point(rows.back())));
+        points_.push_back(vector_of(surface_.point(*row)));
         return true;
-    }
-    [[nodiscard]] SweepRow solve(const Eigen::Vector3d& weights) {
-        const int number = static_cast<int>(surface_.table.rows.size());
-        const Scene scene = weighted(scene_, weights);
-        solved_before_.number = number;
-        return sweep_row(number, triple_of(weights),
-                         solve_without_explaining(scene, control_, &solved_before_));
     }
     [[nodiscard]] bool has_motion_and_bound(const SweepRow& row) {
         const PeakTriple point = row.is_feasible() ? surface_.point(row) : PeakTriple{infinity, 0.0, 0.0};
@@ -203,11 +175,9 @@ class SurfaceSearch {
 
     const Scene& scene_;
     const SurfaceRequest& request_;
-    const SolveControl& control_;
-    std::vector<SweepRow> known_;
-    const std::function<void(const TradeOffSurface&)>& finished_;
-    KnownSolutions solved_before_;
+    const RowRun& run_;
     TradeOffSurface surface_;
+    RowChain chain_{run_, surface_.table};
     std::vector<Eigen::Vector3d> points_;  ///< p of each row
 };
 
@@ -266,11 +236,9 @@ SurfaceValue TradeOffSurface::at(const PeakTriple& weights) const {
     return value;
 }
 
-TradeOffSurface trade_off_surface(const Scene& scene, const SurfaceRequest& request,
-                                  const SolveControl& control, std::vector<SweepRow> known,
-                                  const std::function<void(const TradeOffSurface&)>& finished) {
+TradeOffSurface trade_off_surface(const Scene& scene, const SurfaceRequest& request, const RowRun& run) {
     request.validate(scene);
-    return SurfaceSearch(scene, request, control, std::move(known), finished).run();
+    return SurfaceSearch(scene, request, run).run();
 }
 
 WeightHull::WeightHull(const std::array<double, 3>& heights) : heights_(heights.begin(), heights.end()) {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "studies/compare/law_losses.hpp"
-#include "studies/sweep/sweep_row.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 namespace camopt {
 
@@ -96,10 +96,8 @@ struct TradeOffSurface {
     [[nodiscard]] PeakTriple point(const SweepRow& row) const;
 };
 
-/// known: rows of an earlier run of the same scene, which are not solved again. `finished` sees the surface
-/// after every solve. Throws as solve() does.
-[[nodiscard]] TradeOffSurface trade_off_surface(
-    const Scene& scene, const SurfaceRequest& request, const SolveControl& control = {},
-    std::vector<SweepRow> known = {}, const std::function<void(const TradeOffSurface&)>& finished = {});
+/// Throws as solve() does.
+[[nodiscard]] TradeOffSurface trade_off_surface(const Scene& scene, const SurfaceRequest& request,
+                                                const RowRun& run = {});
 
 }  // namespace camopt

@@ -2,7 +2,6 @@
 #include "studies/sweep/sweep_axis.hpp"
 
 #include "core/text/parsing.hpp"
-#include "scene/cost_table.hpp"
 
 #include <fmt/ranges.h>
 
@@ -13,13 +12,6 @@ namespace {
 constexpr std::string_view prefix = "objective.";
 constexpr std::string_view vary_forms =
     "KEY=a:b:count, KEY=a:b:count:log or KEY=v1,v2,…, for example cam.base_radius_mm=30:60:7";
-
-std::vector<std::string> weight_names() {
-    std::vector<std::string> names = cost_term_names();
-    for (const ResponseTerm& term : response_terms()) names.emplace_back(term.name);
-    for (int i = 0; i < dimension_count; ++i) names.emplace_back(name_of(static_cast<DimensionIndex>(i)));
-    return names;
-}
 
 class WeightFile {
  public:
@@ -46,13 +38,16 @@ class WeightFile {
     }
 
     void read_names(std::string_view line) {
-        static const std::vector<std::string> allowed = weight_names();
         for (const std::string_view cell : split_text(line, ',')) {
-            std::string name(cell.starts_with(prefix) ? cell.substr(prefix.size()) : cell);
-            if (std::ranges::find(allowed, name) == allowed.end())
+            const std::string name(cell.starts_with(prefix) ? cell.substr(prefix.size()) : cell);
+            std::string key = std::string(prefix) + name;
+            if (weight_of_key(key) == nullptr) {
+                std::vector<std::string> allowed;
+                for (const ObjectiveWeight& weight : objective_weights())
+                    allowed.push_back(weight.key.substr(prefix.size()));
                 fail(fmt::format("found \"{}\"; allowed: names of weights: {}", cell,
                                  fmt::join(allowed, ", ")));
-            std::string key = std::string(prefix) + name;
+            }
             if (std::ranges::find(axis_.keys, key) != axis_.keys.end())
                 fail(fmt::format("found \"{}\" twice; allowed: each weight once", name));
             axis_.keys.push_back(std::move(key));
@@ -175,10 +170,30 @@ SweepAxis varied_key(std::string_view text) {
     return {{std::string(key)}, Values(text).read(trimmed(text.substr(equals + 1)))};
 }
 
+const std::vector<ObjectiveWeight>& objective_weights() {
+    static const std::vector<ObjectiveWeight> all = [] {
+        std::vector<ObjectiveWeight> weights;
+        const auto add = [&](std::string_view name, double ObjectiveSpec::*weight) {
+            weights.push_back({std::string(prefix) + std::string(name),
+                               [weight](ObjectiveSpec& objective) -> double& { return objective.*weight; }});
+        };
+        for (const CostTerm& term : cost_terms()) add(term.name(), term.weight);
+        for (const ResponseTerm& term : response_terms()) add(term.name, term.weight);
+        for (int i = 0; i < dimension_count; ++i)
+            weights.push_back({std::string(prefix) + name_of(static_cast<DimensionIndex>(i)),
+                               [i](ObjectiveSpec& objective) -> double& { return objective.dimensions[i]; }});
+        return weights;
+    }();
+    return all;
+}
+
+const ObjectiveWeight* weight_of_key(std::string_view key) {
+    const auto weight = std::ranges::find(objective_weights(), key, &ObjectiveWeight::key);
+    return weight != objective_weights().end() ? &*weight : nullptr;
+}
+
 bool is_weight_key(std::string_view key) {
-    if (!key.starts_with(prefix)) return false;
-    const std::vector<std::string> names = weight_names();
-    return std::ranges::find(names, key.substr(prefix.size())) != names.end();
+    return weight_of_key(key) != nullptr;
 }
 
 }  // namespace camopt

@@ -6,7 +6,7 @@
 // found and what is allowed.
 #pragma once
 
-#include "core/base/standard.hpp"
+#include "scene/cost_table.hpp"
 
 namespace camopt {
 
@@ -40,5 +40,14 @@ struct SweepAxis {
 
 /// Whether the key is a weight of the objective: "objective.velocity", not "objective.tie_break".
 [[nodiscard]] bool is_weight_key(std::string_view key);
+
+/// Every weight that an objective can have, with its key.
+struct ObjectiveWeight {
+    std::string key;  ///< "objective.velocity", "objective.residual", "objective.base_radius"
+    std::function<double&(ObjectiveSpec&)> in;
+};
+[[nodiscard]] const std::vector<ObjectiveWeight>& objective_weights();
+/// None: the key is no weight.
+[[nodiscard]] const ObjectiveWeight* weight_of_key(std::string_view key);
 
 }  // namespace camopt

@@ -10,30 +10,17 @@
 
 #include <bit>
 #include <cstdint>
-#include <exception>
 #include <set>
 
 namespace camopt {
 
 namespace {
 
-/// Where a weight stands in the objective; nullptr for what is no weight there.
-double* weight_slot(ObjectiveSpec& objective, std::string_view key) {
-    for (const CostTerm& term : cost_terms())
-        if (key == fmt::format("objective.{}", term.name())) return &(objective.*term.weight);
-    for (const ResponseTerm& term : response_terms())
-        if (key == fmt::format("objective.{}", term.name)) return &(objective.*term.weight);
-    for (std::size_t i = 0; i < objective.dimensions.size(); ++i)
-        if (key == fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(i))))
-            return &objective.dimensions[i];
-    return nullptr;
-}
-
 /// Numbers on which nothing else depends in a scene that was read: weights, and limits on peaks under the key
 /// that they were written with. False: it is none.
 bool set_number(Scene& scene, std::string_view key, double value) {
-    if (double* const weight = weight_slot(scene.objective, key)) {
-        *weight = value;
+    if (const ObjectiveWeight* const weight = weight_of_key(key)) {
+        weight->in(scene.objective) = value;
         return true;
     }
     for (const PeakLimitRow& row : peak_limit_rows()) {
@@ -114,6 +101,23 @@ struct Seen {
             variable[i] = true;
             weighed[i] = weighed[i] || objective.dimensions[i] > 0.0;
         }
+    }
+    [[nodiscard]] SweepColumns columns(std::vector<std::string> keys, LengthUnit unit) const {
+        SweepColumns columns;
+        columns.keys = std::move(keys);
+        columns.length_unit = unit;
+        columns.train = train;
+        columns.drive = drive;
+        columns.sought = sought;
+        for (int i = 0; i < sweep_figure_count; ++i)
+            if (figures[i]) columns.criteria.emplace_back(name_of(static_cast<SweepFigure>(i)));
+        columns.criteria.insert(columns.criteria.end(), responses.begin(), responses.end());
+        for (int i = 0; i < dimension_count; ++i) {
+            const auto index = static_cast<DimensionIndex>(i);
+            if (variable[i]) columns.dimensions.push_back(index);
+            if (weighed[i]) columns.criteria.emplace_back(name_of(index));
+        }
+        return columns;
     }
 };
 
@@ -199,15 +203,15 @@ std::string setting_text(const std::string& key, double value) {
     return fmt::format("{}={}", key, value);
 }
 
-std::vector<std::string> settings_of(const SweepPlan& plan, int row) {
-    const std::span<const double> values = plan.row(row);
-    std::vector<std::string> settings(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) settings[i] = setting_text(plan.keys[i], values[i]);
+std::vector<std::string> settings_of(std::span<const std::string> keys, std::span<const double> values) {
+    std::vector<std::string> settings;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        if (!std::isnan(values[i])) settings.push_back(setting_text(keys[i], values[i]));
     return settings;
 }
 
 std::string row_text(const SweepPlan& plan, int row) {
-    return fmt::format("row {} ({})", row, fmt::join(settings_of(plan, row), ", "));
+    return fmt::format("row {} ({})", row, fmt::join(settings_of(plan.keys, plan.row(row)), ", "));
 }
 
 bool SweepScenes::set_numbers(int row) {
@@ -219,7 +223,7 @@ bool SweepScenes::set_numbers(int row) {
 
 void SweepScenes::read(int row) {
     try {
-        scene_ = read_(settings_of(*plan_, row));
+        scene_ = read_(settings_of(plan_->keys, plan_->row(row)));
     } catch (const UnavailableError& error) {
         throw UnavailableError(fmt::format("{}: {}", row_text(*plan_, row), error.what()));
     } catch (const InputError& error) {
@@ -234,6 +238,13 @@ const Scene& SweepScenes::scene(int row) {
     if (!set) read(row);
     row_ = row;
     return scene_;
+}
+
+bool is_safe_in_threads(const Scene& scene) {
+    const SolvePlan how = plan(scene);
+    return std::ranges::all_of(solver_entries(), [&](const SolverEntry& entry) {
+        return entry.safe_in_threads || (entry.name != how.solver && entry.name != how.next_solver);
+    });
 }
 
 SweepColumns check_rows(SweepScenes& scenes) {
@@ -251,22 +262,13 @@ SweepColumns check_rows(SweepScenes& scenes) {
         }
         seen.add(scene);
     }
-    SweepColumns columns;
-    columns.keys = plan.keys;
-    if (plan.rows() > 0) columns.length_unit = scenes.scene(0).length_unit;
-    for (int i = 0; i < sweep_figure_count; ++i)
-        if (seen.figures[static_cast<std::size_t>(i)])
-            columns.criteria.emplace_back(name_of(static_cast<SweepFigure>(i)));
-    columns.train = seen.train;
-    columns.drive = seen.drive;
-    columns.sought = seen.sought;
-    columns.criteria.insert(columns.criteria.end(), seen.responses.begin(), seen.responses.end());
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto index = static_cast<DimensionIndex>(i);
-        if (seen.variable[static_cast<std::size_t>(i)]) columns.dimensions.push_back(index);
-        if (seen.weighed[static_cast<std::size_t>(i)]) columns.criteria.emplace_back(name_of(index));
-    }
-    return columns;
+    return seen.columns(plan.keys, plan.rows() > 0 ? scenes.scene(0).length_unit : LengthUnit::millimetre);
+}
+
+SweepColumns columns_of(std::vector<std::string> keys, std::span<const Scene> scenes) {
+    Seen seen;
+    for (const Scene& scene : scenes) seen.add(scene);
+    return seen.columns(std::move(keys), scenes.front().length_unit);
 }
 
 SweepRow certified_row(int number, std::span<const double> settings, const Certificate& certificate) {
@@ -338,45 +340,6 @@ int chunk_size_for(SweepScenes& scenes) {
             most = std::clamp(segments_of_a_chunk / segments, default_chunk_size, weight_chunk_size);
     }
     return std::clamp((plan.rows() + least_chunks - 1) / least_chunks, 1, most);
-}
-
-std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows, const SolveControl& control,
-                                  const std::function<void(const SweepRow&)>& row_done,
-                                  const std::function<void(int row, const Solution&)>& found) {
-    std::vector<SweepRow> solved;
-    KnownSolutions known;
-    for (int number = rows.begin; number < rows.end && !control.stopped(); ++number) {
-        const std::span<const double> settings = scenes.plan().row(number);
-        known.number = number;
-        try {
-            const Solution solution = solve_asked(scenes.scene(number), control, &known);
-            solved.push_back(sweep_row(number, settings, solution));
-            if (found && !control.stopped()) found(number, solution);
-        } catch (const std::exception& error) {
-            solved.push_back(failed_row(number, settings, fmt::format("error: {}", error.what())));
-            known = {};
-        }
-        if (row_done) row_done(solved.back());
-    }
-    return solved;
-}
-
-std::vector<SweptScene> sweep(const Scene& scene, std::span<const double> values, const SceneSetter& set,
-                              const SolveControl& control,
-                              const std::function<void(const SweptScene&)>& solved) {
-    std::vector<SweptScene> rows;
-    KnownSolutions known;
-    for (const double value : values) {
-        if (control.ending()) break;
-        known.number = static_cast<int>(rows.size());
-        Scene one = scene;
-        set(one, value);
-        SweptScene row{value, solve_asked(one, control, &known)};
-        if (control.stopped()) break;  // perhaps stopped halfway
-        rows.push_back(std::move(row));
-        if (solved) solved(rows.back());
-    }
-    return rows;
 }
 
 }  // namespace camopt

@@ -33,8 +33,9 @@ struct SweepPlan {
 /// "objective.velocity=0.3": integers without a point, everything else as it reads back.
 [[nodiscard]] std::string setting_text(const std::string& key, double value);
 
-/// Of one row, as --set takes them.
-[[nodiscard]] std::vector<std::string> settings_of(const SweepPlan& plan, int row);
+/// Of one row, as --set takes them; a key without a value (NaN) has none.
+[[nodiscard]] std::vector<std::string> settings_of(std::span<const std::string> keys,
+                                                   std::span<const double> values);
 
 /// "row 17 (objective.velocity=0.3, objective.jerk=0.7)"
 [[nodiscard]] std::string row_text(const SweepPlan& plan, int row);
@@ -65,17 +66,18 @@ class SweepScenes {
 
 // Every row of a sweep looked at before anything is solved.
 
+/// Whether every solver that the scene's plan may take runs in several threads at once.
+[[nodiscard]] bool is_safe_in_threads(const Scene& scene);
+
 /// Makes the scene of every row and checks what solve() would refuse. Throws InputError naming the first row
 /// that is wrong, its values and why; UnavailableError for a backend this build leaves out. Returns what the
 /// rows have in common.
 [[nodiscard]] SweepColumns check_rows(SweepScenes& scenes);
 
-// Solving the rows of a sweep, chunk by chunk.
-//
-// The unit of work is a chunk: so many rows in a row, fixed by their numbers alone. Each chunk starts cold
-// and solves its rows in order, every one from what the row before found
-// (studies/search/known_solutions.hpp). So a row's result depends on the plan and the size of the chunks, and
-// on nothing else: not on who solves which chunk, nor when.
+/// What rows of such scenes have in common; at least one.
+[[nodiscard]] SweepColumns columns_of(std::vector<std::string> keys, std::span<const Scene> scenes);
+
+// How the rows of a sweep are cut into chunks (studies/sweep/sweep_run.hpp solves them).
 
 /// Long enough for warm starts to pay, short enough to lose little where a run is stopped.
 inline constexpr int default_chunk_size = 25;
@@ -117,31 +119,19 @@ struct Chunking {
 /// A row without a solution.
 [[nodiscard]] SweepRow failed_row(int number, std::span<const double> settings, std::string_view reason);
 
-/// One row a number, in order; `row_done` (may be empty) is called after each. A row whose solve throws is
-/// failed with the message as its reason, and the next starts cold. Where control stops it the rows so far
-/// come back, the last one perhaps stopped halfway: fewer than asked for, or not to be kept. `found` (may be
-/// empty): called before it with the solution, where there is one.
-[[nodiscard]] std::vector<SweepRow> solve_chunk(
-    SweepScenes& scenes, RowRange rows, const SolveControl& control = {},
-    const std::function<void(const SweepRow&)>& row_done = {},
-    const std::function<void(int row, const Solution&)>& found = {});
+/// Hears of a solution before its row: settings as --set takes them, those of the row alone.
+using FoundSolution =
+    std::function<void(int row, std::span<const std::string> settings, const Solution& solution)>;
 
-// A sweep that a function makes: for studies that no key of a scene file could say. Sweeps by keys, which can
-// be cut into chunks and resumed, are studies/sweep/sweep_plan.hpp.
-struct SweptScene {
-    double value = 0.0;
-    Solution solution;
+/// How rows are solved that depend on one another (a front, a surface): what ends them, and who hears.
+struct RowRun {
+    SolveControl control = {};
+    /// Rows of an earlier run of the same study, in their order: not solved again as long as they are those
+    /// asked for.
+    std::vector<SweepRow> known = {};
+    /// After every row, also a known one. error: what a surface has proved so far.
+    std::function<void(const SweepTable& so_far, std::optional<double> error)> row_done = {};
+    FoundSolution found = {};  ///< after every solve
 };
-
-/// Puts a value into a scene, which is that of the sweep each time.
-using SceneSetter = std::function<void(Scene& scene, double value)>;
-
-/// One solve a value, in order, each from what the one before found: verdicts and objectives are those of
-/// solve() to the solver's tolerance, infeasible scenes are not explained. `solved` (may be empty) is called
-/// after each. Where control stops it the finished ones come back. Throws what solve() throws, for the first
-/// scene that is wrong.
-[[nodiscard]] std::vector<SweptScene> sweep(const Scene& scene, std::span<const double> values,
-                                            const SceneSetter& set, const SolveControl& control = {},
-                                            const std::function<void(const SweptScene&)>& solved = {});
 
 }  // namespace camopt

@@ -44,9 +44,18 @@ struct SweepSought {
     std::optional<double> value, impossible;
 };
 
+/// Of a row of a front (studies/pareto/pareto_front.hpp).
+struct SweepFrontPlace {
+    std::optional<double> point;                      ///< among the spaced points, from the first end
+    std::optional<double> arc;                        ///< along the front from the first end, in the unit box
+    std::optional<double> weighted;                   ///< the first goal where the scene's weights are kept
+    std::optional<double> limit_first, limit_second;  ///< what no curve can pass; none: not known
+    std::string end;                                  ///< name_of(FrontEnd)
+};
+
 struct SweepRow {
     int number = 0;                ///< from 0, by the plan
-    std::vector<double> settings;  ///< of SweepColumns::keys, in the unit of each key
+    std::vector<double> settings;  ///< of SweepColumns::keys, in the unit of each key; NaN: as in the scene
     Verdict verdict = Verdict::failed;
     std::string reason;  ///< why it is not better; empty where nothing is to be said
     std::optional<double> objective, lower_bound, gap, any_curve_limit;
@@ -57,6 +66,7 @@ struct SweepRow {
     SweepDrive drive;
     SweepMachine machine;
     SweepSought sought;
+    SweepFrontPlace front;
     /// Keys as written, in the scene's order; of a machine what stops it, the heaviest first.
     std::vector<std::string> active_limits;
     /// The row whose motion this one has too, proved without a solve; none: it was solved.
@@ -64,7 +74,7 @@ struct SweepRow {
     int iterations = 0, exchange_rounds = 0;
     EvaluationCounts evaluations;
     double seconds_solve = 0.0, seconds_total = 0.0;
-    bool on_front = false;  ///< set by mark_front (studies/pareto/sweep_front.hpp), over all rows
+    bool on_front = false;  ///< set over all rows: mark_front (studies/pareto/sweep_front.hpp), or by a front
 
     [[nodiscard]] const std::optional<double>& figure(SweepFigure which) const {
         return figures[static_cast<std::size_t>(which)];
@@ -88,6 +98,7 @@ struct SweepColumns {
     LengthUnit length_unit = LengthUnit::millimetre;  ///< in which people read the dimensions; files: mm
     bool drive = false;                               ///< at least one row has a motor
     bool sought = false;                              ///< at least one row seeks a number
+    bool front = false;                               ///< the rows are those of a front
 
     /// The rows have different cams: a key of the cam varies, or one of its dimensions is variable.
     [[nodiscard]] bool cam() const {

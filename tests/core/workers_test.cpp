@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worker processes: everything is done once, crashes cost one unit, nobody outlives the parent.
+// The executor: everything is done once, crashes cost one unit, no child outlives the parent.
 #include "core/platform/workers.hpp"
 
 #include "core/errors.hpp"
@@ -15,10 +15,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <poll.h>
+#include <set>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -47,6 +48,7 @@ struct Heard {
         PoolTask task;
         task.units = units(count);
         task.workers = workers;
+        task.fence = Fence::around_each;
         task.work = [](int unit, const std::function<void(int)>& tell) { tell(unit); };
         task.told = [this](int number) { ++told[number]; };
         task.lost = [this](int unit, const std::string& reason) { lost[unit] = reason; };
@@ -55,17 +57,20 @@ struct Heard {
 };
 
 TEST(WorkerPool, DoesEveryUnitExactlyOnce) {
-    for (const int workers : {1, 2, 5, 40}) {
-        SCOPED_TRACE(workers);
-        Heard heard;
-        EXPECT_EQ(run_workers(heard.task(30, workers)), PoolOutcome::finished);
-        EXPECT_EQ(heard.told.size(), 30U);
-        for (const auto& [unit, times] : heard.told) EXPECT_EQ(times, 1) << unit;
-        EXPECT_TRUE(heard.lost.empty());
-        EXPECT_TRUE(no_child_is_left());
-    }
-    Heard heard;
-    EXPECT_EQ(run_workers(heard.task(0, 2)), PoolOutcome::finished);
+    for (const Fence fence : {Fence::none, Fence::around_all, Fence::around_each})
+        for (const int workers : {1, 2, 5, 40}) {
+            SCOPED_TRACE(workers);
+            Heard heard;
+            PoolTask task = heard.task(30, workers);
+            task.fence = fence;
+            EXPECT_EQ(run_workers(task), PoolOutcome::finished);
+            EXPECT_EQ(heard.told.size(), 30U);
+            for (const auto& [unit, times] : heard.told) EXPECT_EQ(times, 1) << unit;
+            EXPECT_TRUE(heard.lost.empty());
+            EXPECT_TRUE(no_child_is_left());
+            task.units.clear();
+            EXPECT_EQ(run_workers(task), PoolOutcome::finished);
+        }
 }
 
 TEST(WorkerPool, UnitOfDeadWorkerIsRedone) {
@@ -109,111 +114,50 @@ TEST(WorkerPool, UnitKillingTwoWorkersIsLost) {
     EXPECT_TRUE(no_child_is_left());
 }
 
-/// Who did a unit.
-struct WhoDidIt {
-    std::map<int, pid_t> last;  ///< by unit
-
-    /// The worker tells its process and the unit in one number, as numbers are all that it can tell.
-    void listen_to(PoolTask& task, Heard& heard) {
-        constexpr int most_processes = 1 << 22;  // of Linux
-        task.work = [](int unit, const std::function<void(int)>& tell) {
-            tell(unit * most_processes + static_cast<int>(::getpid()));
-        };
-        task.told = [this, &heard](int number) {
-            last[number / most_processes] = number % most_processes;
-            ++heard.told[number / most_processes];
-        };
-    }
-};
-
-void see_it_dead(pid_t process) {
-    siginfo_t seen{};
-    (void)::waitid(P_PID, static_cast<id_t>(process), &seen, WEXITED | WNOWAIT);  // left for the pool to bury
-}
-
-void kill_and_see_it_dead(pid_t process) {
-    ::kill(process, SIGKILL);
-    see_it_dead(process);
-}
-
-/// Until proc(5) says so: S, nothing is left for it to do; T, it is stopped.
-void see_its_state(pid_t process, std::string_view wanted) {
-    const std::string file = "/proc/" + std::to_string(process) + "/stat";
-    std::string number, name, state;
-    do {
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        std::ifstream(file) >> number >> name >> state;
-    } while (state != wanted);
-}
-
-/// The second worker dies of unit 1, which goes to the first, who has said that it is done and is dead too.
-TEST(WorkerPool, DeadWorkerDoesNotFailUnit) {
+/// Done or not, no thread of the one child is left; the rest goes on, each alone.
+TEST(WorkerPool, CrashOfThreadsLeavesOthersUnharmed) {
     const TemporaryFolder folder;
-    const std::string mark = folder.path() + "/begun";
+    const std::string mark = folder.path() + "/tried";
     Heard heard;
-    WhoDidIt who;
-    PoolTask task = heard.task(2, 2);
-    who.listen_to(task, heard);
-    task.work = [&, tell_who = task.work](int unit, const std::function<void(int)>& tell) {
-        if (unit == 1 && !std::filesystem::exists(mark)) {
-            std::ofstream(mark) << ::getpid();
-            while (true) ::pause();
+    PoolTask task = heard.task(12, 3);
+    task.fence = Fence::around_all;
+    task.work = [&](int unit, const std::function<void(int)>& tell) {
+        if (unit == 4) crash();
+        if (unit == 7 && !std::filesystem::exists(mark)) {
+            std::ofstream(mark) << "tried";
+            std::raise(SIGKILL);
         }
-        tell_who(unit, tell);
-        if (unit == 0)
-            std::thread([] {
-                std::this_thread::sleep_for(std::chrono::milliseconds(50));  // "done" is said by then
-                std::raise(SIGKILL);
-            }).detach();
-    };
-    task.told = [&, remember = task.told](int number) {
-        remember(number);
-        if (heard.told.contains(1)) return;
-        pid_t second = 0;
-        while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
-        kill_and_see_it_dead(second);
-        see_it_dead(who.last.at(0));
+        tell(unit);
     };
     EXPECT_EQ(run_workers(task), PoolOutcome::finished);
-    EXPECT_EQ(heard.told.size(), 2U);
-    EXPECT_TRUE(heard.lost.empty());
+    EXPECT_EQ(heard.told.size(), 11U);
+    EXPECT_EQ(heard.lost, (std::map<int, std::string>{{4, "worker died: signal 11"}}));
     EXPECT_TRUE(no_child_is_left());
 }
 
-/// The first worker is stopped when it is done, is given unit 1 of the other, who died, and dies unread.
-TEST(WorkerPool, DyingWorkerDoesNotFailUnit) {
-    const TemporaryFolder folder;
-    const std::string mark = folder.path() + "/begun";
+TEST(WorkerPool, ThreadsShareMemoryAndThrow) {
+    std::set<std::thread::id> threads;
+    std::mutex mutex;
     Heard heard;
-    WhoDidIt who;
-    PoolTask task = heard.task(2, 2);
-    who.listen_to(task, heard);
-    task.work = [&, tell_who = task.work](int unit, const std::function<void(int)>& tell) {
-        if (unit == 1 && !std::filesystem::exists(mark)) {
-            std::ofstream(mark) << ::getpid();
-            while (true) ::pause();
-        }
-        tell_who(unit, tell);
-    };
-    pid_t stopped = 0;
-    task.told = [&, remember = task.told](int number) {
-        remember(number);
-        if (heard.told.contains(1)) return;
-        stopped = who.last.at(0);
-        see_its_state(stopped, "S");  // it has sent "done"
-        ::kill(stopped, SIGSTOP);
-        see_its_state(stopped, "T");  // before that it could still read
-        pid_t second = 0;
-        while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
-        kill_and_see_it_dead(second);
-    };
-    int ticks = 0;
-    task.tick = [&] {  // by the third one the stopped worker has been given what it will never read
-        if (stopped != 0 && ++ticks == 3) ::kill(stopped, SIGKILL);
+    PoolTask task = heard.task(40, 2);
+    task.fence = Fence::none;
+    task.work = [&](int unit, const std::function<void(int)>& tell) {
+        const std::lock_guard lock(mutex);
+        threads.insert(std::this_thread::get_id());
+        tell(unit);
     };
     EXPECT_EQ(run_workers(task), PoolOutcome::finished);
-    EXPECT_EQ(heard.told.size(), 2U);
-    EXPECT_TRUE(heard.lost.empty());
+    EXPECT_EQ(heard.told.size(), 40U);
+    EXPECT_FALSE(threads.contains(std::this_thread::get_id()));
+    EXPECT_LE(threads.size(), 2U);
+    task.work = [](int, const std::function<void(int)>&) { throw std::logic_error("own kind"); };
+    EXPECT_THROW((void)run_workers(task), std::logic_error);
+    task.units = units(10'000);
+    task.stop_requested = [] { return true; };
+    task.work = [&](int, const std::function<void(int)>&) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    EXPECT_EQ(run_workers(task), PoolOutcome::stopped);
 }
 
 TEST(WorkerPool, ExceptionsEndRunWithTheirMessage) {
@@ -230,22 +174,25 @@ TEST(WorkerPool, ExceptionsEndRunWithTheirMessage) {
 }
 
 TEST(WorkerPool, StopsImmediatelyWithoutOrphans) {
-    Heard heard;
-    PoolTask task = heard.task(1000, 2);
-    task.work = [](int unit, const std::function<void(int)>& tell) {
-        tell(unit);
-        if (unit >= 2) ::pause();  // would never end
-    };
-    task.stop_requested = [&] { return heard.told.size() >= 4; };
-    EXPECT_EQ(run_workers(task), PoolOutcome::stopped);
-    EXPECT_TRUE(no_child_is_left());
+    for (const Fence fence : {Fence::around_all, Fence::around_each}) {
+        Heard heard;
+        PoolTask task = heard.task(1000, 2);
+        task.fence = fence;
+        task.work = [](int unit, const std::function<void(int)>& tell) {
+            tell(unit);
+            if (unit >= 2) ::pause();  // would never end
+        };
+        task.stop_requested = [&] { return heard.told.size() >= 4; };
+        EXPECT_EQ(run_workers(task), PoolOutcome::stopped);
+        EXPECT_TRUE(no_child_is_left());
+    }
 }
 
 TEST(WorkerPool, WorkersIgnoreInterruptsAndStartOnce) {
     Heard heard;
     PoolTask task = heard.task(6, 2);
     int begun = 0;
-    task.begin_worker = [&] { ++begun; };
+    task.begin_child = [&] { ++begun; };
     task.work = [&](int unit, const std::function<void(int)>& tell) {
         std::raise(SIGINT);
         tell(begun == 1 ? unit : -1);

@@ -46,7 +46,8 @@ OUTPUTS = {
     "dynamics": ("dynamics", ["SCENE", "--speeds", "100:200:3"], [
         "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
         "acceleration.svg", "force.svg", "dynamics.html", "report.md", "steady.csv", "tables.csv"]),
-    "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
+    "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["report.md", "sweep.csv", "sweep.html", "sweep.json", "sweep.svg",
+                                                                    "tables.csv"]),
     "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg", "report.md",
                                                    "tables.csv"]),
     "valves": ("valves", ["RESULT", "RESULT", "--gap-mm", "3"], ["report.html", "report.md", "tables.csv", "valves.csv", "valves.json", "valves.svg"]),
@@ -132,7 +133,7 @@ ELSEWHERE = {
     "table": "tests/report/paper_report_test.cpp", "table.json": "",
     "studio": "tests/browser/studio_page_test.py", "camopt.html": "tests/apps/studio_offline_test.py",
     "surface.csv": "tests/apps/sweep_test.cpp", "surface.html": "", "surface.json": "", "surface.obj": "", "surface.svg": "",
-    "pareto.csv": "tests/apps/pareto_test.cpp", "pareto.html": "", "pareto.json": "", "pareto.svg": "",
+    "pareto.csv": "tests/studies/pareto/pareto_front_test.cpp", "pareto.html": "", "pareto.json": "", "pareto.svg": "",
     "cam.csv": "tests/report/spatial", "cam.dxf": "tests/report/drawing",
 }
 

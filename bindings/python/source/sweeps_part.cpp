@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Sweeps from Python: the rows of the command line's sweep, solved by threads of this process.
 #include "bindings/python/source/parts.hpp"
+#include "core/platform/workers.hpp"
 #include "core/text/parsing.hpp"
 #include "report/csv/csv_line.hpp"
 #include "report/csv/sweep_csv.hpp"
 #include "report/document/document_text.hpp"
 #include "report/sweep/sweep_document.hpp"
 #include "studies/pareto/sweep_front.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <atomic>
 #include <camopt/errors.hpp>
 #include <camopt/sweep.hpp>
-#include <chrono>
-#include <condition_variable>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -24,7 +24,6 @@
 #include <pybind11/stl.h>
 #include <set>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -32,8 +31,8 @@ namespace camopt::python {
 
 namespace {
 
-// A sweep by threads of this process: each solves whole chunks, so the rows are those of every other way to
-// solve the sweep. The thread that called waits for them, answers Ctrl-C and calls the progress callback.
+// A sweep by threads of this process. The thread that called waits for them, answers Ctrl-C and calls the
+// progress callback.
 struct SweepTask {
     const ReadScene& given;
     SweepPlan plan;
@@ -41,116 +40,74 @@ struct SweepTask {
     int workers = 1;
 };
 
-class Crew {
+/// What a function of the user's raises ends the sweep: a row that throws would be a failed row.
+class OwnFaults {
  public:
-    Crew(const SweepTask& task, Watch& watch)
-        : task_(task), watch_(watch), chunking_{task.plan.rows(), task.chunk.value_or(default_chunk())} {}
-
-    std::vector<SweepRow> run() {
-        std::vector<std::thread> threads;
-        const int count = std::min(task_.workers, chunking_.count());
-        working_ = count;
-        threads.reserve(static_cast<std::size_t>(count));
-        for (int i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
-        wait();
-        for (std::thread& thread : threads) thread.join();
-        if (failure_) std::rethrow_exception(failure_);
-        std::ranges::sort(rows_, {}, &SweepRow::number);
-        return std::move(rows_);
-    }
-
- private:
-    int default_chunk() {
-        SweepScenes scenes(task_.plan,
-                           [this](std::span<const std::string> row) { return task_.given.with(row); });
-        return chunk_size_for(scenes);
-    }
-
-    void work() {
-        try {
-            SweepScenes scenes(task_.plan,
-                               [this](std::span<const std::string> row) { return scene_of(row); });
-            SolveControl control;
-            control.stop_requested = [this] { return watch_.stopped() || failed_; };
-            for (int chunk = next_++; chunk < chunking_.count() && !control.stopped(); chunk = next_++)
-                (void)solve_chunk(scenes, chunking_.range(chunk), control,
-                                  [&](const SweepRow& row) { add(row); });
-        } catch (...) {
-            fail();
-        }
-        const std::lock_guard lock(mutex_);
-        --working_;
-        news_.notify_one();
-    }
-
-    /// A row that throws is a failed row; what a function of the user's throws is to be seen by him.
-    Scene scene_of(std::span<const std::string> row) {
-        Scene scene = task_.given.with(row);
+    Scene watched(Scene scene) {
         for (OwnTerm& term : scene.own_terms) term.formula = told(std::move(term.formula));
         for (OwnLimit& limit : scene.own_limits) limit.formula = told(std::move(limit.formula));
         return scene;
     }
+    [[nodiscard]] bool any() const { return any_; }
+    /// Throws the first one.
+    void rethrow() {
+        const std::lock_guard lock(mutex_);
+        if (first_) std::rethrow_exception(first_);
+    }
 
+ private:
     MotionFormula told(MotionFormula formula) {
         return [this, own = std::move(formula)](const MotionPoint& point) {
             try {
                 return own(point);
             } catch (...) {
-                fail();
+                const std::lock_guard lock(mutex_);
+                if (!first_) first_ = std::current_exception();
+                any_ = true;
                 throw;
             }
         };
     }
 
-    /// In a handler: ends the sweep with the current exception, the first of them.
-    void fail() {
-        const std::lock_guard lock(mutex_);
-        if (!failure_) failure_ = std::current_exception();
-        failed_ = true;
-    }
-
-    /// A row during which the sweep was stopped is perhaps stopped halfway.
-    void add(const SweepRow& row) {
-        const std::lock_guard lock(mutex_);
-        if (watch_.stopped()) return;
-        rows_.push_back(row);
-        news_.notify_one();
-    }
-
-    void wait() {
-        constexpr std::chrono::milliseconds patience{20};
-        std::unique_lock lock(mutex_);
-        std::size_t told = 0;
-        while (working_ > 0) {
-            news_.wait_for(lock, patience);
-            const std::size_t done = rows_.size();
-            lock.unlock();
-            watch_.look_for_signals();
-            if (done > told) watch_.tell(done, static_cast<std::size_t>(task_.plan.rows()));
-            told = done;
-            lock.lock();
-        }
-    }
-
-    const SweepTask& task_;
-    Watch& watch_;
-    Chunking chunking_;
-    std::atomic<int> next_{0};
-    std::atomic<bool> failed_{false};
     std::mutex mutex_;
-    std::condition_variable news_;
-    std::vector<SweepRow> rows_;
-    std::exception_ptr failure_;
-    int working_ = 0;
+    std::exception_ptr first_;
+    std::atomic<bool> any_{false};
 };
 
 /// Without the interpreter's lock. Where the watch stops it, the rows that were finished until then. Throws
 /// InputError for a row that is wrong, before anything is solved.
 SweepTable solve_sweep(const SweepTask& task, Watch& watch) {
+    OwnFaults faults;
     SweepScenes scenes(task.plan, [&](std::span<const std::string> row) { return task.given.with(row); });
     SweepTable table;
     table.columns = check_rows(scenes);
-    table.rows = Crew(task, watch).run();
+    const Chunking chunking{task.plan.rows(), task.chunk.value_or(chunk_size_for(scenes))};
+    const SolveControl control{[&] { return watch.stopped() || faults.any(); }, {}};
+    std::mutex busy;
+    std::size_t solved = 0, told = 0;
+    PoolTask pool;
+    for (int chunk = 0; chunk < chunking.count(); ++chunk) pool.units.push_back(chunk);
+    pool.workers = task.workers;
+    pool.work = [&](int chunk, const std::function<void(int)>& tell) {
+        SweepScenes own(task.plan, [&](std::span<const std::string> row) {
+            return faults.watched(task.given.with(row));
+        });
+        (void)solve_chunk(own, chunking.range(chunk), control, [&](const SweepRow& row) {
+            const std::lock_guard lock(busy);
+            table.rows.push_back(row);
+            tell(row.number);
+        });
+        faults.rethrow();
+    };
+    pool.told = [&](int) { ++solved; };
+    pool.tick = [&] {
+        watch.look_for_signals();
+        if (solved > told) watch.tell(solved, static_cast<std::size_t>(task.plan.rows()));
+        told = solved;
+    };
+    pool.stop_requested = [&] { return watch.stopped(); };
+    (void)run_workers(pool);
+    std::ranges::sort(table.rows, {}, &SweepRow::number);
     return table;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/chart/studies/pareto_svg.hpp"
 
-#include "report/csv/sweep_csv.hpp"
+#include "report/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ ChartPanel panel_along(const ParetoPicture& picture, const std::string& title,
         line.points.push_back({x, y});
         if (point.place >= 0 || !picture.front.complete)
             dots.points.push_back(
-                {x, y, fmt::format("{}r{}", point.end == FrontEnd::cut_off ? "off " : "", point.number)});
+                {x, y, fmt::format("{}r{}", point.end == FrontEnd::cut_off ? "off " : "", point.row.number)});
     }
     panel.series = {std::move(line), std::move(dots)};
     return panel;
@@ -88,9 +88,9 @@ ChartPanel panel_along(const ParetoPicture& picture, const std::string& title,
 ChartSeries bound_series(const ParetoPicture& picture) {
     ChartSeries bound{.css = "limit-line", .compared = true};
     for (const FrontPoint& point : picture.front.points)
-        if (const auto at = any_curve_point(picture.front, point); at && is_drawn(point))
-            bound.points.push_back(
-                {goal_axis(picture, 0).factor * (*at)[0], goal_axis(picture, 1).factor * (*at)[1]});
+        if (const SweepFrontPlace& at = point.row.front; at.limit_first && at.limit_second && is_drawn(point))
+            bound.points.push_back({goal_axis(picture, 0).factor * *at.limit_first,
+                                    goal_axis(picture, 1).factor * *at.limit_second});
     std::ranges::sort(bound.points, {}, [](const ChartPoint& point) { return std::pair(point.x, point.y); });
     return bound;
 }
@@ -143,7 +143,7 @@ std::vector<ChartPanel> panels_of(const ParetoPicture& picture) {
         if (std::ranges::find(goals, FrontGoal(figure)) != goals.end() || panels.size() == 3) continue;
         const GoalAxis axis = figure_axis(picture.scene, cost_term(figure));
         panels.push_back(panel_along(picture, axis.title, [&](const FrontPoint& point) {
-            return axis.factor * value_of(point.solution, FrontGoal(figure));
+            return axis.factor * value_of(point.row, FrontGoal(figure));
         }));
         panels.back().place = panels.size() == 2 ? ChartPanel::Place::right : ChartPanel::Place::below;
     }
@@ -158,9 +158,8 @@ bool is_attained(const FrontPoint& point) {
 }  // namespace
 
 std::string front_sentence(const ParetoFront& front) {
-    const auto proved = std::ranges::count_if(front.points, [](const FrontPoint& point) {
-        return point.solution.certificate.verdict == Verdict::optimal;
-    });
+    const auto proved = std::ranges::count_if(
+        front.points, [](const FrontPoint& point) { return point.row.verdict == Verdict::optimal; });
     const auto placed =
         std::ranges::count_if(front.points, [](const FrontPoint& point) { return point.place >= 0; });
     std::string text =

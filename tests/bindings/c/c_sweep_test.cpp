@@ -2,7 +2,7 @@
 // Sweeps through the C face: the rows of the C++ face, bit for bit; cancelling; errors.
 #include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_run.hpp"
 #include "tests/bindings/c/c_face.hpp"
 
 #include <cmath>

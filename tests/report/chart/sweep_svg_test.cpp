@@ -110,11 +110,11 @@ TEST(ParetoOutput, TheLimitLiesBelowTheFront) {
     const ParetoFront front = pareto_front(scene, request);
     int seen = 0;
     for (const FrontPoint& point : front.points) {
-        const auto limit = any_curve_point(front, point);
-        if (!limit || !point.cap) continue;  // at the ends the limit goes on
+        const SweepFrontPlace& limit = point.row.front;
+        if (!limit.limit_first || !point.cap) continue;  // at the ends the limit goes on
         ++seen;
-        EXPECT_LE((*limit)[0], point.value[0] + 1e-6);
-        EXPECT_LE((*limit)[1], point.value[1] + 1e-6);
+        EXPECT_LE(*limit.limit_first, point.value[0] + 1e-6);
+        EXPECT_LE(*limit.limit_second, point.value[1] + 1e-6);
     }
     EXPECT_EQ(seen, static_cast<int>(front.points.size()) - 2);
 }

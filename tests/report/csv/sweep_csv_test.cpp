@@ -5,7 +5,7 @@
 #include "input/loading/load_scene.hpp"
 #include "report/csv/csv_line.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_run.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace camopt {
@@ -162,6 +164,37 @@ TEST(SweepFolder, IgnoresRemainsOfKilledRuns) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(temporary.path()))
         files += entry.is_regular_file() ? 1 : 0;
     EXPECT_EQ(files, 2);  // sweep.json and chunk 0
+}
+
+/// A front or a surface: one table that grows, and a new run begins anew.
+TEST(SweepFolder, AChainKeepsItsGrowingTable) {
+    const TemporaryFolder temporary;
+    StoredSweep sweep = sample_sweep();
+    sweep.identity.study = "pareto";
+    sweep.identity.axes = {"--pareto velocity,jerk"};
+    const SweepFolder folder = SweepFolder::create(temporary.path(), sweep);
+    EXPECT_TRUE(folder.written_rows().empty());
+    SweepTable table;
+    table.rows = rows(0, 3);
+    table.columns.keys = {"objective.velocity"};
+    table.columns.front = true;
+    table.rows[1].settings = {std::numeric_limits<double>::quiet_NaN()};
+    table.rows[1].front = {
+        .point = 1, .arc = 0.5, .weighted = {}, .limit_first = 1.5, .limit_second = 6, .end = "cut_off"};
+    folder.write_rows(table);
+    const SweepFolder again = SweepFolder::open(temporary.path(), "pareto");
+    EXPECT_EQ(difference(again.identity(), sweep.identity), "");
+    const std::vector<SweepRow> read = again.written_rows();
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_TRUE(std::isnan(read[1].settings[0]));
+    EXPECT_EQ(read[1].front.end, "cut_off");
+    EXPECT_EQ(read[1].front.limit_second, 6.0);
+    EXPECT_EQ(read[2].settings, table.rows[2].settings);
+    sweep.identity.axes = {"--pareto velocity,acceleration"};
+    EXPECT_TRUE(says(difference(again.identity(), sweep.identity), "goals"));
+    EXPECT_TRUE(SweepFolder::create(temporary.path(), sweep).written_rows().empty());
+    EXPECT_TRUE(
+        says(refusal([&] { (void)SweepFolder::open(temporary.path(), "surface"); }), "holds no surface"));
 }
 
 }  // namespace sweep_folder_test

@@ -106,7 +106,10 @@ TEST(ParetoHtml, ThePointsHaveTheirScenes) {
     request.points = 4;
     const ParetoFront front = pareto_front(scene, request);
     const ParetoPicture picture{front, scene};
-    const std::string html = document_html(pareto_document(picture, "front"), {"front.toml", "", scene_text});
+    SweepIdentity identity;
+    identity.scene_file = "front.toml";
+    const std::string html =
+        document_html(pareto_document(picture, identity), {"front.toml", "", scene_text});
     const json data = motions_of(html);
     ASSERT_EQ(data.at("items").at("names").size(), front.points.size());
     EXPECT_EQ(count_of(data_of(html).at("pictures").at(0).get<std::string>(), "<svg"), 1);

@@ -53,6 +53,7 @@ void run_in_processes(int count, int jobs, double most_seconds, const Worker& wo
     task.units.resize(static_cast<std::size_t>(count));
     std::iota(task.units.begin(), task.units.end(), 0);
     task.workers = jobs;
+    task.fence = Fence::around_each;
     task.work = [&](int number, const std::function<void(int)>& tell) {
         std::ofstream file(file_of(number));
         const std::jthread beside([budget](const std::stop_token& over) { watch(over, budget); });

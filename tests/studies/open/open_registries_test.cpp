@@ -8,7 +8,7 @@
 #include "solvers/registry.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_run.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scene_kit.hpp"
 

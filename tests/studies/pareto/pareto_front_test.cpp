@@ -67,8 +67,8 @@ TEST(ParetoFront, PointsAreProvedAndNondominated) {
         const ParetoFront front = front_of(request, cubic_12());
         for (std::size_t i = 0; i < front.points.size(); ++i) {
             const FrontPoint& point = front.points[i];
-            EXPECT_EQ(point.solution.certificate.verdict, Verdict::optimal);
-            EXPECT_LE(point.solution.certificate.gap.value(), 1e-7);
+            EXPECT_EQ(point.row.verdict, Verdict::optimal);
+            EXPECT_LE(point.row.gap.value(), 1e-7);
             EXPECT_FALSE(point.dominated);
             if (i == 0) continue;
             EXPECT_GT(point.value[0], front.points[i - 1].value[0]);
@@ -167,7 +167,7 @@ TEST(ParetoFront, KeepsTheScenesOwnLimits) {
     const Scene scene = scene_named("drd_cubic_12").with("limits = { jerk = 70, velocity = 1.9 }");
     const std::vector<FrontPoint> points = spaced(front_of(request_of(V, A), scene));
     for (const FrontPoint& point : points) {
-        EXPECT_LE(point.solution.peaks.jerk.value, 70.0 * (1.0 + 1e-8));
+        EXPECT_LE(value_of(point.row, J), 70.0 * (1.0 + 1e-8));
         EXPECT_LE(point.value[0], 1.9 * (1.0 + 1e-8));
     }
     EXPECT_NEAR(points.back().value[0], 1.9, 1e-6);
@@ -180,12 +180,12 @@ TEST(ParetoFront, KeepsOtherWeightsOnRequest) {
     request.keep_weights = true;
     const std::vector<FrontPoint> points = spaced(front_of(request, scene));
     for (const FrontPoint& point : points) {
-        const Peaks& peaks = point.solution.peaks;
-        EXPECT_NEAR(point.value[0], 0.4 * peaks.velocity.value / 1.76 + 0.2 * peaks.jerk.value / 69.0, 1e-9);
+        EXPECT_NEAR(point.value[0], 0.4 * value_of(point.row, V) / 1.76 + 0.2 * value_of(point.row, J) / 69.0,
+                    1e-9);
         // The scene's own optimum is one of this family.
         EXPECT_GE(point.value[0] + 0.4 * point.value[1] / 5.53, 0.940489277 - 1e-8);
     }
-    EXPECT_LT(points.front().solution.peaks.jerk.value, 60.0);
+    EXPECT_LT(value_of(points.front().row, J), 60.0);
 }
 
 // One solve knows the least base circle but for what the peaks weigh in: see lexicographic_weight.
@@ -225,7 +225,7 @@ TEST(ParetoFront, IsTheSameEveryTime) {
     const ParetoFront other = front_of(request_of(V, J), cubic_12());
     ASSERT_EQ(one.points.size(), other.points.size());
     for (std::size_t i = 0; i < one.points.size(); ++i) {
-        EXPECT_EQ(one.points[i].number, other.points[i].number);
+        EXPECT_EQ(one.points[i].row.number, other.points[i].row.number);
         EXPECT_EQ(one.points[i].value, other.points[i].value);
         EXPECT_EQ(one.points[i].place, other.points[i].place);
     }
@@ -243,17 +243,53 @@ TEST(ParetoFront, AnInfeasibleSceneHasNone) {
         pareto_front(scene_named("drd_cubic_12").with("limits.velocity = 0.9"), request_of(A, J));
     EXPECT_FALSE(front.complete);
     ASSERT_EQ(front.points.size(), 1U);
-    EXPECT_EQ(front.points.front().solution.certificate.verdict, Verdict::infeasible);
+    EXPECT_EQ(front.points.front().row.verdict, Verdict::infeasible);
 }
 
 TEST(ParetoFront, StoppedItKeepsWhatIsFinished) {
     int solves = 0;
     const SolveControl control{[&] { return solves >= 6; }, {}};
-    const ParetoFront front =
-        pareto_front(cubic_12(), request_of(V, A), control, [&](const FrontPoint&) { ++solves; });
+    const ParetoFront front = pareto_front(
+        cubic_12(), request_of(V, A), {.control = control, .row_done = [&](const auto&...) { ++solves; }});
     EXPECT_FALSE(front.complete);
     EXPECT_EQ(front.points.size(), 6U);
     EXPECT_GE(spaced(front).size(), 3U);
+}
+
+/// Also with other numbers of points: what is known is not solved again.
+TEST(ParetoFront, ResumesWhereItStopped) {
+    const Scene scene = cubic_12();
+    const ParetoFront whole = front_of(request_of(V, A), scene);
+    const std::vector<SweepRow> rows = front_table(whole).rows;
+    std::vector<int> solved;
+    RowRun run;
+    run.found = [&](int row, const auto&...) { solved.push_back(row); };
+    run.known.assign(rows.begin(), rows.begin() + 9);
+    const ParetoFront rest = pareto_front(scene, request_of(V, A), run);
+    EXPECT_TRUE(rest.complete && rest.even);
+    EXPECT_EQ(solved.front(), 9);
+    for (std::size_t k = 0; k < 9; ++k)
+        EXPECT_EQ(front_table(rest).rows[k].objective, rows[k].objective) << k;
+    solved.clear();
+    run.known = rows;
+    EXPECT_EQ(pareto_front(scene, request_of(V, A), run).points.size(), rows.size());
+    EXPECT_TRUE(solved.empty());
+    FrontRequest fewer = request_of(V, A);
+    fewer.points = 3;
+    (void)pareto_front(scene, fewer, run);
+    EXPECT_TRUE(solved.empty());
+}
+
+/// --set with a row's settings is the scene that the row was solved for.
+TEST(ParetoFront, SettingsOfRowsAreTheirScenes) {
+    const TestScene named = scene_named("drd_cubic_12");
+    const ParetoFront front = front_of(request_of(V, A), named);
+    for (const SweepRow& row : front_table(front).rows) {
+        TestScene posed = named;
+        for (const std::string& setting : settings_of(front.columns.keys, row.settings))
+            posed = posed.with(setting);
+        EXPECT_NEAR(solve(posed).certificate.objective, *row.objective, 1e-8) << row.number;
+    }
 }
 
 TEST(FrontGoal, NoWeightIsLeftOut) {

@@ -66,9 +66,8 @@ TEST(TradeOffSurface, ResumesWhereItStopped) {
     EXPECT_EQ(part.table.rows.size(), 20U);
     EXPECT_GT(part.error, whole.error);
     int solved = 0;
-    const TradeOffSurface rest = trade_off_surface(scene, {1e-4}, {}, part.table.rows, [&](const auto& now) {
-        solved = std::max(solved, static_cast<int>(now.table.rows.size()) - 20);
-    });
+    const TradeOffSurface rest = trade_off_surface(
+        scene, {1e-4}, {.known = part.table.rows, .found = [&](const auto&...) { ++solved; }});
     EXPECT_EQ(rest.end, SurfaceEnd::reached);
     ASSERT_EQ(rest.table.rows.size(), whole.table.rows.size());
     EXPECT_EQ(solved, static_cast<int>(whole.table.rows.size()) - 20);
@@ -81,7 +80,7 @@ TEST(TradeOffSurface, ReportsItsCoverageWhenStopped) {
     int polls = 0;
     SolveControl control;
     control.stop_requested = [&] { return ++polls > 200; };
-    const TradeOffSurface surface = trade_off_surface(scene, {1e-5}, control);
+    const TradeOffSurface surface = trade_off_surface(scene, {1e-5}, {.control = control});
     EXPECT_EQ(surface.end, SurfaceEnd::interrupted);
     ASSERT_TRUE(surface.hull);
     EXPECT_GT(surface.error, 1e-5);
@@ -93,9 +92,9 @@ TEST(TradeOffSurface, ClaimsOnlyWhatItSolved) {
     const Scene scene = paper_objective(MotionType::drd, 3, 12);
     std::vector<SweepRow> loose = trade_off_surface(scene, {0.5, 3}).table.rows;
     ASSERT_EQ(loose.size(), 3U);
-    const double proved = trade_off_surface(scene, {1e-2, 3}, {}, loose).error;
+    const double proved = trade_off_surface(scene, {1e-2, 3}, {.known = loose}).error;
     for (SweepRow& row : loose) *row.lower_bound -= 0.05;
-    const TradeOffSurface surface = trade_off_surface(scene, {1e-2, 3}, {}, loose);
+    const TradeOffSurface surface = trade_off_surface(scene, {1e-2, 3}, {.known = loose});
     EXPECT_NEAR(surface.error, proved + 0.05, 0.01);
     EXPECT_EQ(surface.end, SurfaceEnd::solves);
 }

@@ -134,7 +134,7 @@ TEST(SweepScenes, LimitsOnPeaksAreReadOnce) {
     for (int i = 0; i < plan.rows(); ++i) {
         SCOPED_TRACE(i);
         const Scene scene = scenes.scene(i);
-        const Scene read = Reader(limited.c_str()).reading()(settings_of(plan, i));
+        const Scene read = Reader(limited.c_str()).reading()(settings_of(plan.keys, plan.row(i)));
         EXPECT_EQ(scene.limits, read.limits);
     }
     EXPECT_EQ(reader.count, 1);

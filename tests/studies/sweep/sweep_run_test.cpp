@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Chunks of rows solved, and the Pareto front over them.
+#include "studies/sweep/sweep_run.hpp"
+
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/sweep/sweep_plan.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>
