@@ -120,7 +120,7 @@ weights,
   studies/compare/law_losses.hpp)
 camopt_promise(laws [[
 The classical motion laws as Motions with closed-form derivatives and exact peaks: law_catalogue() lists
-them, make_law("modified_sine") makes one; the others take free parameters.
+them, make_law("modified_sine") or make_law("modified_sine(Ta = 0.2)") makes one.
 
   y(0) = 0, y(1) = 1, y'(0) = y'(1) = 0 on 0 <= x <= 1.
 

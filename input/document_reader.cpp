@@ -78,8 +78,7 @@ class SceneReader {
         if (!given || given->value().kind != NodeKind::text) return;
         std::vector<std::string> laws = known_.laws;  // a rise without rest has no separate peaks
         for (const std::string& moving : known_.moving_laws) std::erase(laws, moving);
-        check_name(source_, *given, "objective.reference",
-                   {laws, "a law of the catalogue: ", ", or a table of numbers"});
+        check_law(source_, *given, "objective.reference", known_, {laws, ", or a table of numbers"});
     }
 
     void check_solver() const {

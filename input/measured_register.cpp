@@ -5,6 +5,7 @@
 #include "input/table_alignment.hpp"
 
 #include <Eigen/QR>
+#include <fmt/format.h>
 
 namespace camopt::input {
 
@@ -41,6 +42,12 @@ struct ReferenceMotion {
             if (segment.angle_range || (!dwells && !segment.to && !returns))
                 throw SceneError({"measured.register", "a program whose angles or displacements are searched",
                                   "with numbers for all of them"});
+            const bool turns = std::ranges::any_of(
+                known.turning_laws, [&](const std::string& law) { return segment.law.starts_with(law); });
+            if (turns || segment.takes_states())
+                throw SceneError({"measured.register",
+                                  fmt::format("the law \"{}\" in the program", segment.law),
+                                  "laws that rest at both ends"});
             const double before = strokes.empty() ? 0.0 : strokes.back().to;
             add(segment.angle, dwells ? before : motion.lift * segment.to.value_or(0.0),
                 segment.kind == SegmentKind::spline,

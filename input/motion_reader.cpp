@@ -164,8 +164,7 @@ class MotionReader {
             const Node& segment = segments->value().items[i];
             const std::string path = segment_key(i);
             if (const auto law = source_.find_in(segment, "motion.segments", "law"))
-                check_name(source_, *law, joined_key(path, law->member->name),
-                           {known_.laws, "a law of the catalogue: ", ""});
+                check_law(source_, *law, joined_key(path, law->member->name), known_, {known_.laws});
             if (const auto via = source_.find_in(segment, "motion.segments", "via"))
                 check_points(source_, *via, joined_key(path, "via"));
         }
@@ -198,6 +197,19 @@ class MotionReader {
 };
 
 }  // namespace
+
+void check_law(const SceneSource& source, const Given& given, const std::string& key, const KnownNames& known,
+               const AllowedLaws& allowed) {
+    check_name(source, given, key, {allowed.keys, "a law of the catalogue: ", allowed.after, '('});
+    const Node& name = given.value();
+    if (name.text.find('(') == std::string::npos || !known.law_shape) return;
+    try {
+        (void)known.law_shape(name.text);
+    } catch (const InputError& error) {
+        source.fail(name.place, key,
+                    fmt::format("found {}; allowed: numbers of this law: {}", name.shown(), error.what()));
+    }
+}
 
 void read_motion(const SceneSource& source, const KnownNames& known, Scene& scene) {
     MotionReader(source, known).read(scene);

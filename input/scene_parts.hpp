@@ -14,6 +14,14 @@ namespace camopt::input {
 /// first fault.
 [[nodiscard]] Scene read_document(const SceneSource& source, const KnownNames& known);
 
+struct AllowedLaws {
+    const std::vector<std::string>& keys;
+    std::string_view after = {};  ///< what else, in an error message
+};
+/// Throws if the text does not name a law that is known, with numbers that it has.
+void check_law(const SceneSource& source, const Given& given, const std::string& key, const KnownNames& known,
+               const AllowedLaws& allowed);
+
 // The rows of a table read what they say where it lives; the rest of it follows.
 
 void read_motion(const SceneSource& source, const KnownNames& known, Scene& scene);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/program_family.hpp"
 
-#include "motions/laws/law_catalogue.hpp"
+#include "motions/laws/law.hpp"
+#include "objectives/segment_law.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/part_names.hpp"
 
@@ -34,59 +35,6 @@ void add_region(std::vector<PointCondition>& all, const PlacedPoint& region, int
     if (degree <= 3) return;
     add(region.end, 1, Side::left, velocity);
     add(0.5 * (region.begin + region.end), 1, Side::right, velocity);
-}
-
-constexpr double same_velocity = 1e-9;  // of two laws that join, relative
-
-/// y' of a law or a dwell where it ends, or begins, in lifts by the cam angle; none: its displacement is
-/// free.
-std::optional<double> end_velocity(const MotionSpec& motion, std::size_t index, bool at_end) {
-    const ProgramSegment& segment = motion.segments[index];
-    double from = 0.0;
-    for (std::size_t i = 0; i < index; ++i) from = motion.segments[i].to.value_or(from);
-    if (segment.kind == SegmentKind::dwell) return 0.0;
-    if (segment.kind != SegmentKind::law || !segment.to) return std::nullopt;
-    const std::unique_ptr<Law> law = make_law(segment.law);
-    const MotionPoint point = at_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
-    return (*segment.to - from) * point.derivative[1] / segment.angle;
-}
-
-/// An end that moves is joined by a spline, which takes its velocity, by a law of the same velocity, or
-/// stands where a motion begins or ends.
-void require_splines_beside(const MotionSpec& motion, std::size_t index) {
-    const std::size_t count = motion.segments.size();
-    const auto refuse = [&](const std::string& beside) {
-        throw SceneError(
-            {segment_key(index, "law"),
-             fmt::format("\"{}\", a law whose ends move, next to {}", motion.segments[index].law, beside),
-             "spline segments next to it, which join with its velocity, or a law that has it"});
-    };
-    for (const bool after : {false, true}) {
-        const bool outer = index == (after ? count - 1 : 0);
-        if (outer && !motion.periodic()) continue;
-        const std::size_t other = (index + (after ? 1 : count - 1)) % count;
-        if (motion.segments[other].kind == SegmentKind::spline) continue;
-        const auto own = end_velocity(motion, index, after), next = end_velocity(motion, other, !after);
-        const bool goes_on =
-            own && next &&
-            std::abs(*own - *next) <= same_velocity * std::max(std::abs(*own), std::abs(*next));
-        if (!goes_on)
-            refuse(fmt::format("{} of kind \"{}\"{}", segment_key(other),
-                               name_of(motion.segments[other].kind),
-                               own && next && *next != 0.0 ? " with another velocity" : ""));
-    }
-}
-
-std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size_t index) {
-    const ProgramSegment& segment = motion.segments[index];
-    std::shared_ptr<const Law> law = make_law(segment.law);
-    if (!law->info().rests) require_splines_beside(motion, index);
-    if (law->info().top == TopEnd::turning_point) {
-        throw SceneError({segment_key(index, "law"),
-                          fmt::format("\"{}\", a law that turns back at its top", segment.law),
-                          "a law that ends at rest"});
-    }
-    return law;
 }
 
 }  // namespace
@@ -176,21 +124,6 @@ std::vector<double> breakpoints_of(const SplineSpec& spline, double begin, doubl
 }
 
 namespace {
-
-/// Displacements at the joints as far as the scene gives them: a dwell keeps it, a closed program ends at 0.
-std::vector<std::optional<double>> given_levels(const MotionSpec& motion) {
-    const std::size_t count = motion.own_segments();
-    std::vector<std::optional<double>> levels(count + 1);
-    levels[0] = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const ProgramSegment& segment = motion.segments[i];
-        levels[i + 1] = segment.kind == SegmentKind::dwell ? levels[i] : segment.to;
-    }
-    if (motion.closed) levels[count] = 0.0;
-    for (std::size_t i = count; i > 0 && motion.segments[i - 1].kind == SegmentKind::dwell; --i)
-        levels[i - 1] = levels[i];
-    return levels;
-}
 
 /// Which way each spline segment goes: from one given displacement to another, or a free one as the case
 /// says. open: not known, or a free one with set points, which may lead out of its range.
@@ -426,7 +359,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
         stretch.to = segment.to;
         if (segment.kind == SegmentKind::law) {
             stretch.kind = StretchRequest::Kind::shape;
-            stretch.shape = law_of_segment(scene.motion, i);
+            stretch.shape = segment_law(scene.motion, i);
         } else if (segment.kind == SegmentKind::spline) {
             stretch.kind = StretchRequest::Kind::spline;
             stretch.breakpoints = breakpoints_of(scene.spline, stretch.begin, stretch.end,

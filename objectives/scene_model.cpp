@@ -9,6 +9,7 @@
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/torque_rule.hpp"
+#include "objectives/segment_law.hpp"
 #include "objectives/spring_rules.hpp"
 #include "scene/part_names.hpp"
 
@@ -202,6 +203,36 @@ double by_own_measure(const PeakFigure& figure, const MotionFamily::Stretch& str
            std::pow(scale.angle / (stretch.end - stretch.begin), figure.width_power);
 }
 
+/// y'' of a stretch of a prescribed motion where it begins or ends, in lifts and units of x.
+double end_acceleration(const MotionFamily::Stretch& stretch, bool at_end) {
+    if (!stretch.shape) return 0.0;
+    const MotionPoint point =
+        at_end ? stretch.shape->at(1.0, Side::left) : stretch.shape->at(0.0, Side::right);
+    const double rise = *known_displacement(stretch.to) - *known_displacement(stretch.from);
+    return rise * point.derivative[2] / std::pow(stretch.end - stretch.begin, 2);
+}
+
+/// Peaks of a law of a prescribed motion. Whether y'' jumps at the ends of one that takes the states beside
+/// it, or that turns back, is a matter of its neighbours.
+Peaks prescribed_peaks(const MotionSpec& motion, std::span<const MotionFamily::Stretch> stretches,
+                       std::size_t index) {
+    constexpr double same_acceleration = 1e-9;
+    const std::shared_ptr<const Law> law = segment_law(motion, index);
+    const bool as_beside = motion.segments[index].takes_states() || law->info().top == TopEnd::turning_point;
+    if (!as_beside) return law->peaks();
+    Peaks peaks = find_peaks_without_impulses(*law);
+    for (const bool after : {false, true}) {
+        const bool outer = index == (after ? stretches.size() - 1 : 0) && !motion.periodic();
+        const std::size_t other = (index + (after ? 1 : stretches.size() - 1)) % stretches.size();
+        const double own = end_acceleration(stretches[index], after),
+                     beside = outer ? 0.0 : end_acceleration(stretches[other], !after);
+        if (std::abs(own - beside) <= same_acceleration * std::max(std::abs(own), std::abs(beside))) continue;
+        peaks.jerk.value = infinity;
+        derivative_mean(peaks, 3) = infinity;
+    }
+    return peaks;
+}
+
 /// V, A, J of a prescribed motion are the largest over its laws: constants of the cost, and caps on each law.
 void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
     for (const CostTerm& term : cost_terms()) {
@@ -214,8 +245,8 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             if (stretch.kind != StretchRequest::Kind::shape) continue;
             const StretchScale& scale = model.stretch_scales[s];
             const std::string& law = scene.motion.segments[s].law;
-            const double own =
-                term.measured.of(make_law(law)->peaks()) * by_own_measure(term.measured, stretch, scale);
+            const double own = term.measured.of(prescribed_peaks(scene.motion, model.design.stretches(), s)) *
+                               by_own_measure(term.measured, stretch, scale);
             if (weight > 0.0 && !std::isfinite(own))
                 throw SceneError(
                     {fmt::format("objective.{}", term.name()),

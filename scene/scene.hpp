@@ -69,9 +69,12 @@ struct ProgramSegment {
     std::optional<double> to;        ///< displacement at its end, in lifts; none: free (law, spline)
     std::vector<SetPoint> via = {};  ///< kind spline
     std::optional<AngleRange> angle_range = {};  ///< searched, from `angle` on; closed programs only
+    /// Its law is the polynomial with the states of its neighbours (objectives/segment_law.hpp).
+    [[nodiscard]] bool takes_states() const { return kind == SegmentKind::law && law == "polynomial"; }
     std::string to_unit =
         {};  ///< in which `to` was written ("mm"); it stays where the lift changes. Empty: lifts
-    /// kind spline, followed by another: velocity, acceleration at its end, as of a set point at = 1.
+    /// kind spline or a polynomial, followed by another: velocity, acceleration at its end, as of a set point
+    /// at = 1.
     std::optional<SetPoint> end = {};
     friend bool operator==(const ProgramSegment&, const ProgramSegment&) = default;
 };

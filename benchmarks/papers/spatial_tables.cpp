@@ -70,7 +70,7 @@ SpatialForwardCheckRow forward_check_row(const CamFlanks& cam, const FollowerMot
 }  // namespace
 
 FollowerMotion modified_sine_rise(const Rise& rise) {
-    const std::shared_ptr<const Law> law = make_modified_sine(modified_sine_ramp);
+    const std::shared_ptr<const Law> law = make_law("modified_sine", std::array{modified_sine_ramp});
     FollowerMotion motion;
     motion.state = [law, rise](double theta) -> FollowerState {
         const double x = (theta - rise.from) / rise.width;

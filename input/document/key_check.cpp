@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/list_text.hpp"
 #include "core/text/names.hpp"
+#include "core/text/parsing.hpp"
 #include "input/document/scene_source.hpp"
 #include "input/keys/meaning_hint.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -301,7 +302,7 @@ class KeyCheck {
 
 void check_name(const SceneSource& source, const Given& given, const std::string& key,
                 const AllowedNames& allowed) {
-    const std::string& text = given.value().text;
+    const std::string text(trimmed(given.value().text.substr(0, given.value().text.find(allowed.until))));
     if (std::ranges::find(allowed.names, text) != allowed.names.end()) return;
     source.fail(given.value().place, key,
                 fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before,

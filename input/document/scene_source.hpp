@@ -60,6 +60,7 @@ void check_given_keys(const SceneSource& source);
 struct AllowedNames {
     const std::vector<std::string>& names;
     std::string_view before = {}, after = {};
+    char until = '\0';  ///< the name ends before it
 };
 
 /// Throws if the text is not one of the names.

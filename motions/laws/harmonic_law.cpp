@@ -61,11 +61,15 @@ std::array<T, 5> horner_from_top(const std::vector<double>& coefficients, const 
 }  // namespace
 
 AccelerationPiece zero_piece(double begin, double end) {
-    return {begin, end, 0.0, {}};
+    return {begin, end};
 }
 
 AccelerationPiece constant_piece(double begin, double end, double height) {
-    return {begin, end, height, {}};
+    return {begin, end, height};
+}
+
+AccelerationPiece ramp_piece(double begin, double end, double from, double to) {
+    return {begin, end, from, {}, (to - from) / (end - begin)};
 }
 
 AccelerationPiece quarter_sine_up(double begin, double end, double height) {
@@ -105,6 +109,7 @@ HarmonicLaw::HarmonicLaw(LawInfo info, std::vector<AccelerationPiece> shape) : L
         piece.velocity /= displacement;
         piece.displacement /= displacement;
         piece.acceleration.constant /= displacement;
+        piece.acceleration.slope /= displacement;
         for (HarmonicTerm& term : piece.acceleration.terms) {
             term.sine /= displacement;
             term.cosine /= displacement;
@@ -137,9 +142,11 @@ template <class T>
 std::array<T, 5> HarmonicLaw::evaluate(const Piece& piece, const T& x) {
     using std::cos, std::sin;
     const T t = x - T(piece.acceleration.begin);
-    const T constant = piece.acceleration.constant;
-    std::array<T, 5> y{T(piece.displacement) + t * (T(piece.velocity) + T(0.5) * constant * t),
-                       T(piece.velocity) + constant * t, constant, T(0.0), T(0.0)};
+    const T constant = piece.acceleration.constant, slope = piece.acceleration.slope;
+    const T bend = slope * t;
+    std::array<T, 5> y{
+        T(piece.displacement) + t * (T(piece.velocity) + t * (T(0.5) * constant + T(1.0 / 6.0) * bend)),
+        T(piece.velocity) + t * (constant + T(0.5) * bend), constant + bend, slope, T(0.0)};
     for (const HarmonicTerm& term : piece.acceleration.terms) {
         const T w = term.frequency, along = term.sine, across = term.cosine;
         const T sine = sin(w * t), cosine = cos(w * t);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Laws given by the shape of their acceleration: pieces made of a constant, sines and cosines.
+// Laws given by the shape of their acceleration: pieces made of a straight line, sines and cosines.
 //
-//   on [begin, end], with t = x - begin:   y''(x) ∝ constant + Σ sine · sin(frequency t) + cosine ·
-//   cos(frequency t)
+//   on [begin, end], with t = x - begin:
+//   y''(x) ∝ constant + slope · t + Σ sine · sin(frequency t) + cosine · cos(frequency t)
 //
 // The pieces cover [0, 1] without gaps. They are integrated in closed form from y(0) = y'(0) = 0 and scaled
 // so that y(1) = 1. Shapes need not be normalised; their sign is that of the acceleration. No units. Errors:
@@ -24,12 +24,15 @@ struct AccelerationPiece {
     double begin = 0.0;
     double end = 0.0;
     double constant = 0.0;
-    std::vector<HarmonicTerm> terms;
+    std::vector<HarmonicTerm> terms = {};
+    double slope = 0.0;
 };
 
 /// Shapes that compose the classical laws, of height `height` (signed).
 [[nodiscard]] AccelerationPiece zero_piece(double begin, double end);
 [[nodiscard]] AccelerationPiece constant_piece(double begin, double end, double height);
+/// Straight from one height to another.
+[[nodiscard]] AccelerationPiece ramp_piece(double begin, double end, double from, double to);
 /// From 0 up to the height.
 [[nodiscard]] AccelerationPiece quarter_sine_up(double begin, double end, double height);
 /// From the height down to 0.

@@ -2,11 +2,10 @@
 #include "motions/laws/law_catalogue.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/polynomial.hpp"
 #include "core/open_registry.hpp"
 #include "core/text/list_text.hpp"
-#include "core/text/names.hpp"
-#include "motions/laws/harmonic_law.hpp"
+#include "core/text/parsing.hpp"
+#include "motions/laws/own_law_check.hpp"
 
 #include <fmt/format.h>
 
@@ -14,79 +13,22 @@ namespace camopt {
 
 namespace {
 
-// Validation of a law that a program added.
-
-// Of the size of a derivative: the round-off of sums of a few hundred products.
-constexpr double law_rounding = 1e-9;
-// Intervals between two breakpoints, in each of which the integral is checked.
-constexpr int law_stretches = 16;
-constexpr std::array<const char*, 4> derivative_words = {"y", "y'", "y''", "y'''"};
-
-[[noreturn]] void refuse_law(const Law& law, const std::string& found, const std::string& allowed) {
-    throw InputError(fmt::format("add_law: \"{}\": found {}; allowed: {}", law.key(), found, allowed));
-}
-
-void check_key(const Law& law) {
-    if (!is_plain_name(law.key())) refuse_law(law, "this key", "lower case letters, digits and _");
-}
-
-void check_end(const Law& law, double x, std::size_t order, double wanted) {
-    const double found = law.derivatives(x)[order];
-    if (std::abs(found - wanted) <= law_rounding) return;
-    refuse_law(law, fmt::format("{} = {} at x = {}", derivative_words[order], found, x),
-               fmt::to_string(wanted));
-}
-
-struct LawStretch {
-    double begin, end;
-};
-
-/// y^(order) over an interval against the integral of the next derivative.
-void check_stretch(const Law& law, std::size_t order, const LawStretch& stretch) {
-    const double half = 0.5 * (stretch.end - stretch.begin), middle = stretch.begin + half;
-    double size = 1.0, integral = 0.0;
-    for (const QuadraturePoint& point : gauss_legendre) {
-        const double next = law.derivatives(middle + half * point.place)[order + 1];
-        size = std::max(size, std::abs(next));
-        integral += half * point.weight * next;
-    }
-    const double grown =
-        law.derivatives(stretch.end, Side::left)[order] - law.derivatives(stretch.begin, Side::right)[order];
-    if (std::abs(grown - integral) <= law_rounding * size) return;
-    refuse_law(
-        law,
-        fmt::format("{} that grows by {:.12g} from x = {:.6g} to {:.6g}, where the integral of {} is {:.12g}",
-                    derivative_words[order], grown, stretch.begin, stretch.end, derivative_words[order + 1],
-                    integral),
-        "consistent derivatives, with a breakpoint wherever a formula changes");
-}
-
-/// Throws InputError naming what does not hold: a plain key, the ends of a rise from rest to rest, consistent
-/// derivatives.
-void check_own_law(const Law& law) {
-    check_key(law);
-    check_end(law, 0.0, 0, 0.0);
-    check_end(law, 1.0, 0, 1.0);
-    check_end(law, 0.0, 1, 0.0);
-    check_end(law, 1.0, 1, 0.0);
-    const std::vector<double> breakpoints = law.breakpoints();
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-        const double width = (breakpoints[i + 1] - breakpoints[i]) / law_stretches;
-        for (int k = 0; k < law_stretches; ++k) {
-            const LawStretch stretch{breakpoints[i] + k * width, k == law_stretches - 1
-                                                                     ? breakpoints[i + 1]
-                                                                     : breakpoints[i] + (k + 1) * width};
-            for (std::size_t order = 0; order < 3; ++order) check_stretch(law, order, stretch);
-        }
-    }
-}
-
 using std::numbers::pi;
 
 constexpr const char* kHandbook = "Norton, Cam Design and Manufacturing Handbook";
 constexpr const char* kFreudenstein = "Freudenstein, Int. J. Mech. Sci. 1 (1960)";
+constexpr const char* kStandard = "standard construction";
+/// The share of the acceleration part in the asymmetric laws: a softer, longer deceleration, which the return
+/// spring has to supply. A choice of this catalogue.
+constexpr double kCatalogueSplit = 0.4;
 
-LawInfo make_info(const char* key, std::string title, const char* source, int continuity) {
+/// A row of the catalogue: how it is made of its parameters, of which these are customary.
+struct LawRow {
+    std::vector<double> customary;
+    std::function<std::unique_ptr<Law>(std::span<const double> parameters)> make;
+};
+
+LawInfo info_of(const char* key, std::string title, int continuity, const char* source = kHandbook) {
     LawInfo info;
     info.key = key;
     info.title = std::move(title);
@@ -95,149 +37,300 @@ LawInfo make_info(const char* key, std::string title, const char* source, int co
     return info;
 }
 
-void require(const char* law, const char* name, double found, std::pair<double, double> allowed) {
+void require(std::string_view law, const char* name, double found, std::pair<double, double> allowed) {
     if (found >= allowed.first && found <= allowed.second) return;
     throw InputError(fmt::format("{}: {} = {} found, allowed {} <= {} <= {}", law, name, found, allowed.first,
                                  name, allowed.second));
-}
-
-/// The pieces of [0, 1/2] given, those of [1/2, 1] by antisymmetry: y''(1 - x) = -y''(x).
-std::vector<AccelerationPiece> antisymmetric(std::vector<AccelerationPiece> pieces) {
-    for (std::size_t i = pieces.size(); i-- > 0;) {
-        const AccelerationPiece& from = pieces[i];
-        AccelerationPiece mirrored{1.0 - from.end, 1.0 - from.begin, -from.constant, {}};
-        for (const HarmonicTerm& term : from.terms) {
-            // sin w(length - t) and cos w(length - t) by the addition theorems; the shapes used here end
-            // where w·length is a quarter or a half turn, whose sine and cosine are exact integers.
-            const double quarters = std::round(term.frequency * (from.end - from.begin) / (0.5 * pi));
-            const double sine = quarters == 1.0 ? 1.0 : 0.0, cosine = quarters == 1.0 ? 0.0 : -1.0;
-            const double frequency = quarters * 0.5 * pi / (mirrored.end - mirrored.begin);
-            mirrored.terms.push_back({frequency, term.sine * cosine - term.cosine * sine,
-                                      -term.sine * sine - term.cosine * cosine});
-        }
-        pieces.push_back(std::move(mirrored));
-    }
-    return pieces;
-}
-
-std::unique_ptr<Law> polynomial(LawInfo info, const std::vector<double>& coefficients) {
-    return std::make_unique<PolynomialLaw>(std::move(info), coefficients);
 }
 
 std::unique_ptr<Law> harmonic(LawInfo info, std::vector<AccelerationPiece> pieces) {
     return std::make_unique<HarmonicLaw>(std::move(info), std::move(pieces));
 }
 
+/// Without parameters.
+LawRow pieces(const LawInfo& info, const std::vector<AccelerationPiece>& all) {
+    return {{}, [=](std::span<const double>) { return harmonic(info, all); }};
+}
+
+LawRow scca(LawInfo info, const SccaParts& parts) {
+    info.continuity = scca_continuity(parts);
+    return pieces(info, scca_pieces(parts));
+}
+
+LawRow polynomial(const LawInfo& info, const std::vector<double>& from_below,
+                  const std::vector<double>& from_top) {
+    return {{}, [=](std::span<const double>) {
+                return std::make_unique<PolynomialLaw>(info, from_below, from_top);
+            }};
+}
+
+/// y(x) + y(1 - x) = 1.
+LawRow polynomial(const LawInfo& info, const std::vector<double>& from_below) {
+    return {{}, [=](std::span<const double>) { return std::make_unique<PolynomialLaw>(info, from_below); }};
+}
+
 /// y = x - Σ amplitude[k] sin(2π (2k + 1) x), so y'' = Σ amplitude (2π (2k + 1))² sin.
-std::unique_ptr<Law> odd_harmonics(LawInfo info, const std::vector<double>& amplitudes) {
-    AccelerationPiece piece{0.0, 1.0, 0.0, {}};
+LawRow odd_harmonics(const LawInfo& info, const std::vector<double>& amplitudes) {
+    AccelerationPiece piece{0.0, 1.0};
     double frequency = 2.0 * pi;
     for (const double amplitude : amplitudes) {
         piece.terms.push_back({frequency, amplitude * frequency * frequency, 0.0});
         frequency += 4.0 * pi;
     }
-    return harmonic(std::move(info), {piece});
+    return pieces(info, {piece});
 }
 
-std::unique_ptr<Law> mcv(LawInfo info, double a, double b) {
-    info.parameters = {{"a", a}, {"b", b}};
-    return harmonic(std::move(info), antisymmetric({quarter_sine_up(0.0, a, 1.0),
-                                                    quarter_cosine_down(a, b, 1.0), zero_piece(b, 0.5)}));
+/// SCCA with a width Ta of its sine: towards 0 simple harmonic, at 1/4 cycloidal.
+std::unique_ptr<Law> modified_sine(std::span<const double> at) {
+    const double ta = at[0];
+    require("modified_sine", "Ta", ta, {kNarrowestPiece, 0.25});
+    LawInfo info = info_of("modified_sine", fmt::format("Modified sine (Ta = {})", ta), 2,
+                           "Schmidt; Norton, Cam Design and Manufacturing Handbook");
+    info.parameters = {{"Ta", ta}};
+    return harmonic(std::move(info), scca_pieces({ta, 0.0, 0.5 - ta, 0.0}));
 }
 
-/// The classical laws, a row a law; parameters Ta have their customary value 1/8.
-std::vector<LawMaker> classical_laws() {
-    const auto info = [](const char* key, const char* title, int continuity) {
-        return make_info(key, title, kHandbook, continuity);
+/// SCCA with a width Ta of its sine and its cosine: towards 0 parabolic, at 1/4 cycloidal.
+std::unique_ptr<Law> modified_trapezoid(std::span<const double> at) {
+    const double ta = at[0];
+    require("modified_trapezoid", "Ta", ta, {kNarrowestPiece, 0.25});
+    LawInfo info = info_of("modified_trapezoid", fmt::format("Modified trapezoid (Ta = {})", ta), 2,
+                           "Neklutin; Norton, Cam Design and Manufacturing Handbook");
+    info.parameters = {{"Ta", ta}};
+    return harmonic(std::move(info), scca_pieces({ta, 0.5 - 2.0 * ta, ta, 0.0}));
+}
+
+/// SCCA with a sine up to a and a cosine down to 0 at b; the velocity is constant over the part 1 - 2b.
+LawRow constant_velocity(const char* key, double customary_a, double customary_b) {
+    const auto make = [key](std::span<const double> at) {
+        const double a = at[0], b = at[1];
+        require(key, "b", b, {2.0 * kNarrowestPiece, 0.5 - kNarrowestPiece});
+        require(key, "a", a, {kNarrowestPiece, b - kNarrowestPiece});
+        LawInfo info =
+            info_of(key, fmt::format("Modified constant velocity, {:.0f} %", 100.0 * (1.0 - 2.0 * b)), 2);
+        info.parameters = {{"a", a}, {"b", b}};
+        return harmonic(std::move(info), scca_pieces({a, 0.0, b - a, 0.5 - b}));
     };
-    const auto pieces = [](const LawInfo& law, const std::vector<AccelerationPiece>& all) -> LawMaker {
-        return [=] { return harmonic(law, all); };
-    };
-    const auto coefficients = [](const LawInfo& law, const std::vector<double>& all) -> LawMaker {
-        return [=] { return polynomial(law, all); };
-    };
-    const auto sines = [](const LawInfo& law, const std::vector<double>& amplitudes) -> LawMaker {
-        return [=] { return odd_harmonics(law, amplitudes); };
-    };
-    const auto constant_velocity = [](const LawInfo& law, double a, double b) -> LawMaker {
-        return [=] { return mcv(law, a, b); };
-    };
-    const auto of_an_eighth = [](const auto& make) -> LawMaker { return [=] { return make(0.125); }; };
-    const auto asymmetric = [](const LawMaker& make) -> LawMaker {
-        return [=] { return make_asymmetric(make(), kCatalogueSplit); };
-    };
-    // y = (1 - cos πx) / 2 - (1 - cos 2πx) / 8: a dwell at x = 0, a turning point with y'' = -π² at x = 1.
-    LawInfo double_harmonic =
-        make_info("double_harmonic", "Double harmonic (one dwell)", "Rothbart, Cams (1956)", 3);
-    double_harmonic.top = TopEnd::turning_point;
-    // y = x. Its ends do not rest: it occurs only in programs, between splines that take its velocity.
-    LawInfo moving = info("constant_velocity", "Constant velocity (programs only: its ends move)", 0);
-    moving.rests = false;
-    // y = 2x³ − x⁴, y'(1) = 2, and backwards y = 2x − 2x³ + x⁴: to and from a constant velocity.
-    const auto run = [](const char* key, const char* title, const std::vector<double>& from_below,
-                        const std::vector<double>& from_top) -> LawMaker {
-        LawInfo law = make_info(key, title, "Quartic with y'' = 0 at both ends", 0);
-        law.rests = false;
-        return [=] { return std::make_unique<PolynomialLaw>(law, from_below, from_top); };
-    };
+    return {{customary_a, customary_b}, make};
+}
+
+/// Any SCCA, by the proportions of its parts.
+std::unique_ptr<Law> proportioned_scca(std::span<const double> at) {
+    constexpr std::array<const char*, 4> names = {"sine", "constant", "cosine", "coast"};
+    double whole = 0.0;
+    LawInfo info = info_of("scca",
+                           fmt::format("SCCA: sine {:.4g}, constant {:.4g}, cosine {:.4g}, coast {:.4g}",
+                                       at[0], at[1], at[2], at[3]),
+                           2, "Norton, Cam Design and Manufacturing Handbook");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        require("scca", names[i], at[i], {0.0, 1e9});
+        info.parameters.push_back({names[i], at[i]});
+        whole += at[i];
+    }
+    if (!(whole - at[3] > 0.0))
+        throw InputError("scca: sine = constant = cosine = 0 found, allowed at least one of them above 0");
+    std::array<double, 4> widths{};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        widths[i] = 0.5 * at[i] / whole;
+        if (widths[i] != 0.0)
+            require("scca", fmt::format("the width of the {}", names[i]).c_str(), widths[i],
+                    {kNarrowestPiece, 0.5});
+    }
+    const SccaParts parts{widths[0], widths[1], widths[2], widths[3]};
+    info.continuity = scca_continuity(parts);
+    return harmonic(std::move(info), scca_pieces(parts));
+}
+
+/// Widths of acceleration and coast; the rest is deceleration. A third parameter is RampedParts::ramp.
+std::unique_ptr<Law> ramped(LawInfo info, std::span<const double> at) {
+    constexpr double narrowest_ramp = 1e-6;
+    require(info.key, "acceleration", at[0], {kNarrowestPiece, 1.0 - kNarrowestPiece});
+    require(info.key, "coast", at[1], {0.0, 1.0 - at[0] - kNarrowestPiece});
+    info.parameters = {{"acceleration", at[0]}, {"coast", at[1]}};
+    const bool ramps = at.size() > 2;
+    if (ramps) {
+        require(info.key, "ramp", at[2], {narrowest_ramp, 0.5});
+        info.parameters.push_back({"ramp", at[2]});
+    }
+    return harmonic(std::move(info), ramped_pieces({at[0], at[1], ramps ? at[2] : 0.0}));
+}
+
+LawInfo turning(LawInfo info) {
+    info.top = TopEnd::turning_point;
+    return info;
+}
+
+std::unique_ptr<Law> one_dwell(const char* key, const char* title, std::pair<double, double> ta_and_widest,
+                               std::vector<AccelerationPiece> (*shape)(double)) {
+    const auto [ta, widest] = ta_and_widest;
+    require(key, "Ta", ta, {kNarrowestPiece, widest});
+    LawInfo info = turning(info_of(key, fmt::format("{} (one dwell, Ta = {})", title, ta), 2, kStandard));
+    info.parameters = {{"Ta", ta}};
+    return harmonic(std::move(info), shape(ta));
+}
+
+LawRow asymmetric(const LawRow& base) {
+    std::vector<double> customary = base.customary;
+    customary.push_back(kCatalogueSplit);
+    return {customary, [make = base.make](std::span<const double> at) {
+                return make_asymmetric(make(at.first(at.size() - 1)), at.back());
+            }};
+}
+
+/// Between two dwells, and the odd harmonics.
+std::vector<LawRow> laws_between_dwells() {
+    constexpr double eighth = 0.125, third = 1.0 / 3.0;
     const double first = 1125.0 / (2384.0 * pi);  // of Freudenstein 1-3-5
-    const LawMaker parabolic = pieces(info("parabolic", "Parabolic (constant acceleration)", 1),
-                                      {constant_piece(0.0, 0.5, 1.0), constant_piece(0.5, 1.0, -1.0)}),
-                   cycloidal = sines(info("cycloidal", "Cycloidal", 2), {1.0 / (2.0 * pi)}),
-                   polynomial_345 =
-                       coefficients(info("polynomial_345", "3-4-5 polynomial", 2), {0, 0, 0, 10, -15, 6}),
-                   modified_sine = of_an_eighth(make_modified_sine),
-                   modified_trapezoid = of_an_eighth(make_modified_trapezoid);
     return {
-        parabolic,
-        pieces(info("simple_harmonic", "Simple harmonic", 1), {half_cosine(0.0, 1.0, 1.0)}),
-        cycloidal,
-        polynomial_345,
-        coefficients(info("polynomial_4567", "4-5-6-7 polynomial", 3), {0, 0, 0, 0, 35, -84, 70, -20}),
-        coefficients(info("polynomial_56789", "5-6-7-8-9 polynomial", 4),
-                     {0, 0, 0, 0, 0, 126, -420, 540, -315, 70}),
-        modified_sine,
-        modified_trapezoid,
-        constant_velocity(info("mcv_50", "Modified constant velocity, 50 %", 2), 1.0 / 16.0, 0.25),
-        constant_velocity(info("mcv_33", "Modified constant velocity, 33 %", 2), 1.0 / 12.0, 1.0 / 3.0),
-        constant_velocity(info("mcv_20", "Modified constant velocity, 20 %", 2), 0.1, 0.4),
-        pieces(info("cycloidal_cv50", "Cycloidal with 50 % constant velocity", 2),
-               antisymmetric({half_sine(0.0, 0.25, 1.0), zero_piece(0.25, 0.5)})),
-        sines(make_info("gutman_13", "Gutman 1-3", "Gutman, Product Engineering 32 (1961)", 2),
-              {15.0 / (32.0 * pi), 1.0 / (96.0 * pi)}),
-        sines(make_info("freudenstein_13", "Freudenstein 1-3", kFreudenstein, 2),
-              {27.0 / (56.0 * pi), 1.0 / (168.0 * pi)}),
-        sines(make_info("freudenstein_135", "Freudenstein 1-3-5", kFreudenstein, 2),
-              {first, first / 54.0, first / 1250.0}),
-        pieces(double_harmonic, {{0.0, 1.0, 0.0, {{pi, 0.0, 1.0}, {2.0 * pi, 0.0, -1.0}}}}),
-        asymmetric(parabolic),
-        asymmetric(cycloidal),
-        asymmetric(polynomial_345),
-        asymmetric(modified_sine),
-        asymmetric(modified_trapezoid),
-        of_an_eighth(make_one_dwell_modified_sine),
-        of_an_eighth(make_one_dwell_modified_trapezoid),
-        make_one_dwell_cycloidal,
-        make_one_dwell_polynomial_345,
-        make_one_dwell_polynomial_3456,
-        run("run_in", "Run-in from rest to constant velocity (programs only)", {0, 0, 0, 2, -1},
-            {1, -2, 0, 2, -1}),
-        run("run_out", "Run-out from constant velocity to rest (programs only)", {0, 2, 0, -2, 1},
-            {1, 0, 0, -2, 1}),
-        coefficients(moving, {0, 1}),
+        scca(info_of("parabolic", "Parabolic (constant acceleration)", 1), {.constant = 0.5}),
+        scca(info_of("simple_harmonic", "Simple harmonic", 1), {.cosine = 0.5}),
+        scca(info_of("cycloidal", "Cycloidal", 2), {.sine = 0.25, .cosine = 0.25}),
+        polynomial(info_of("polynomial_345", "3-4-5 polynomial", 2), {0, 0, 0, 10, -15, 6}),
+        polynomial(info_of("polynomial_4567", "4-5-6-7 polynomial", 3), {0, 0, 0, 0, 35, -84, 70, -20}),
+        polynomial(info_of("polynomial_56789", "5-6-7-8-9 polynomial", 4),
+                   {0, 0, 0, 0, 0, 126, -420, 540, -315, 70}),
+        {{eighth}, modified_sine},
+        {{eighth}, modified_trapezoid},
+        constant_velocity("mcv_50", 1.0 / 16.0, 0.25),
+        constant_velocity("mcv_33", 1.0 / 12.0, third),
+        constant_velocity("mcv_20", 0.1, 0.4),
+        scca(info_of("cycloidal_cv50", "Cycloidal with 50 % constant velocity", 2),
+             {.sine = eighth, .cosine = eighth, .coast = 0.25}),
+        // Degrees of a half rise of 180: the "modified cycloidal" law of Table 3 of paper 004.
+        {{67.5, 33.3, 49.5, 29.7}, proportioned_scca},
+        {{third, third},
+         [](std::span<const double> at) {
+             return ramped(info_of("trapezoid", "Trapezoidal velocity", 1, kStandard), at);
+         }},
+        {{third, third, 0.25},
+         [](std::span<const double> at) {
+             return ramped(info_of("s_curve", "S-curve (jerk-limited, seven phases)", 2, kStandard), at);
+         }},
+        odd_harmonics(info_of("gutman_13", "Gutman 1-3", 2, "Gutman, Product Engineering 32 (1961)"),
+                      {15.0 / (32.0 * pi), 1.0 / (96.0 * pi)}),
+        odd_harmonics(info_of("freudenstein_13", "Freudenstein 1-3", 2, kFreudenstein),
+                      {27.0 / (56.0 * pi), 1.0 / (168.0 * pi)}),
+        odd_harmonics(info_of("freudenstein_135", "Freudenstein 1-3-5", 2, kFreudenstein),
+                      {first, first / 54.0, first / 1250.0}),
     };
 }
 
-using Laws = OpenRegistry<LawInfo, LawMaker>;
+/// The return follows at once: TopEnd::turning_point.
+std::vector<LawRow> one_dwell_laws() {
+    constexpr double eighth = 0.125, third = 1.0 / 3.0;
+    return {
+        {{eighth},
+         [](std::span<const double> at) {
+             return one_dwell("one_dwell_modified_sine", "Modified sine", {at[0], widest_one_dwell_sine},
+                              one_dwell_sine_pieces);
+         }},
+        {{eighth},
+         [](std::span<const double> at) {
+             return one_dwell("one_dwell_modified_trapezoid", "Modified trapezoid",
+                              {at[0], widest_one_dwell_trapezoid}, one_dwell_trapezoid_pieces);
+         }},
+        pieces(turning(info_of("one_dwell_cycloidal", "Cycloidal (one dwell)", 2, kStandard)),
+               one_dwell_sine_pieces(widest_one_dwell_sine)),
+        // The lowest degree with y = y' = y'' = 0 at 0, y = 1, y' = y''' = 0 at 1.
+        polynomial(turning(info_of("one_dwell_polynomial_345", "3-4-5 polynomial (one dwell)", 2, kStandard)),
+                   {0, 0, 0, 20 * third, -25 * third, 8 * third}, {1, 0, -10 * third, 0, 5, -8 * third}),
+        // (1 - (1 - x)²)³: the lowest degree of a single polynomial over rise and return, with y = y' = y'' =
+        // 0 at 0 and 2 and y = 1 at 1.
+        polynomial(
+            turning(info_of("one_dwell_polynomial_3456", "3-4-5-6 polynomial (one dwell)", 2, kStandard)),
+            {0, 0, 0, 8, -12, 6, -1}, {1, 0, -3, 0, 3, 0, -1}),
+    };
+}
+
+/// y = x, and quartics to and from it, y = 2x³ − x⁴ with y'(1) = 2. Their ends move: they occur only in
+/// programs, between segments that take their velocity.
+std::vector<LawRow> moving_laws() {
+    const auto info = [](const char* key, const char* title, const char* source) {
+        LawInfo law = info_of(key, title, 0, source);
+        law.rests = false;
+        return law;
+    };
+    constexpr const char* quartic = "Quartic with y'' = 0 at both ends";
+    return {
+        polynomial(info("run_in", "Run-in from rest to constant velocity (programs only)", quartic),
+                   {0, 0, 0, 2, -1}, {1, -2, 0, 2, -1}),
+        polynomial(info("run_out", "Run-out from constant velocity to rest (programs only)", quartic),
+                   {0, 2, 0, -2, 1}, {1, 0, 0, -2, 1}),
+        polynomial(info("constant_velocity", "Constant velocity (programs only: its ends move)", kHandbook),
+                   {0, 1}),
+        {{0.0, 0.0, 0.0, 0.0},
+         [](std::span<const double> at) {
+             return make_polynomial({at[0], at[2], at[1], at[3]});
+         }},
+    };
+}
+
+/// The classical laws.
+std::vector<LawRow> classical_laws() {
+    std::vector<LawRow> all = laws_between_dwells();
+    std::vector<LawRow> split;
+    const auto of = [&](const char* key) {
+        return *std::ranges::find_if(
+            all, [&](const LawRow& row) { return row.make(row.customary)->key() == key; });
+    };
+    // y'' = -π² at x = 1 and a jump of y'''' alone at 0: y = (1 - cos πx) / 2 - (1 - cos 2πx) / 8.
+    split.push_back(
+        pieces(turning(info_of("double_harmonic", "Double harmonic (one dwell)", 3, "Rothbart, Cams (1956)")),
+               {{0.0, 1.0, 0.0, {{pi, 0.0, 1.0}, {2.0 * pi, 0.0, -1.0}}}}));
+    for (const char* key :
+         {"parabolic", "cycloidal", "polynomial_345", "modified_sine", "modified_trapezoid"})
+        split.push_back(asymmetric(of(key)));
+    for (const std::vector<LawRow>& more : {split, one_dwell_laws(), moving_laws()})
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+using Laws = OpenRegistry<LawInfo, LawRow>;
 
 Laws& laws() {
     static Laws all(&LawInfo::key, [] {
         Laws::Lists classical;
         classical.makers = classical_laws();
-        for (const LawMaker& make : classical.makers) classical.descriptions.push_back(make()->info());
+        for (const LawRow& row : classical.makers)
+            classical.descriptions.push_back(row.make(row.customary)->info());
         return classical;
     }());
     return all;
+}
+
+struct KnownLaw {
+    const LawInfo& info;
+    const LawRow& row;
+};
+
+KnownLaw known_law(std::string_view key) {
+    const Laws::Lists& known = laws().lists();
+    for (std::size_t i = 0; i < known.descriptions.size(); ++i)
+        if (known.descriptions[i].key == key) return {known.descriptions[i], known.makers[i]};
+    throw InputError(fmt::format("motion law: \"{}\" found, allowed {}", key,
+                                 listed(known.descriptions, ", ", &LawInfo::key)));
+}
+
+/// Puts "0.2" or "Ta = 0.2", an argument of a name, in its place.
+void take_argument(const LawInfo& law, std::string_view argument, std::size_t index,
+                   std::vector<double>& parameters) {
+    const auto refuse = [&law, argument] {
+        const std::string names = listed(law.parameters, ", ", &LawParameter::name);
+        throw InputError(fmt::format(
+            "{}: \"{}\" found, allowed {}", law.key, argument,
+            names.empty() ? "no numbers" : "numbers for " + names + ", in this order or by name"));
+    };
+    std::string_view number = argument;
+    if (const std::size_t sign = argument.find('='); sign != std::string_view::npos) {
+        const auto found =
+            std::ranges::find(law.parameters, trimmed(argument.substr(0, sign)), &LawParameter::name);
+        if (found == law.parameters.end()) refuse();
+        index = static_cast<std::size_t>(found - law.parameters.begin());
+        number = trimmed(argument.substr(sign + 1));
+    }
+    const std::optional<double> value = number_in(number);
+    if (!value || index >= parameters.size()) refuse();
+    parameters[index] = *value;
 }
 
 }  // namespace
@@ -250,46 +343,66 @@ void add_law(const LawMaker& make) {
     const std::unique_ptr<Law> law = make ? make() : nullptr;
     if (!law) throw InputError("add_law: found an empty function; allowed: a function that returns a law");
     check_own_law(*law);
-    laws().add(law->info(), make, [&] {
+    laws().add(law->info(), {{}, [make](std::span<const double>) { return make(); }}, [&] {
         throw InputError(fmt::format(
             "add_law: found the key \"{}\", which another law has; allowed: a new one", law->key()));
     });
 }
 
-std::unique_ptr<Law> make_law(std::string_view key) {
-    const Laws::Lists& known = laws().lists();
-    for (std::size_t i = 0; i < known.descriptions.size(); ++i)
-        if (known.descriptions[i].key == key) return known.makers[i]();
-    throw InputError(fmt::format("motion law: \"{}\" found, allowed {}", key,
-                                 listed(known.descriptions, ", ", &LawInfo::key)));
+std::unique_ptr<Law> make_law(std::string_view key, std::span<const double> parameters) {
+    const LawRow& row = known_law(key).row;
+    if (parameters.size() > row.customary.size())
+        throw InputError(fmt::format("{}: {} parameters found, allowed at most {}", key, parameters.size(),
+                                     row.customary.size()));
+    std::vector<double> all = row.customary;
+    std::ranges::copy(parameters, all.begin());
+    return row.make(all);
 }
 
-std::unique_ptr<Law> make_modified_sine(double ta) {
-    require("modified_sine", "Ta", ta, {kNarrowestPiece, 0.25});
-    LawInfo info = make_info("modified_sine", fmt::format("Modified sine (Ta = {})", ta),
-                             "Schmidt; Norton, Cam Design and Manufacturing Handbook", 2);
-    info.parameters = {{"Ta", ta}};
-    AccelerationPiece last = quarter_cosine_down(1.0 - ta, 1.0, -1.0);
-    return harmonic(std::move(info), {quarter_sine_up(0.0, ta, 1.0), half_cosine(ta, 1.0 - ta, 1.0), last});
+std::unique_ptr<Law> make_law(std::string_view name) {
+    if (name.starts_with(kReversed)) return make_reversed(make_law(name.substr(kReversed.size())));
+    const std::string_view key = law_key(name);
+    if (key.size() == name.size()) return make_law(key, {});
+    const KnownLaw law = known_law(key);
+    const std::size_t begin = name.find('(') + 1, end = name.rfind(')');
+    if (end != name.size() - 1 || end < begin)
+        throw InputError(
+            fmt::format("motion law: \"{}\" found, allowed \"{}(…)\" with numbers in brackets", name, key));
+    std::vector<double> parameters = law.row.customary;
+    const std::vector<std::string_view> arguments = split_text(name.substr(begin, end - begin), ',');
+    for (std::size_t i = 0; i < arguments.size(); ++i) take_argument(law.info, arguments[i], i, parameters);
+    return law.row.make(parameters);
 }
 
-std::unique_ptr<Law> make_modified_trapezoid(double ta) {
-    require("modified_trapezoid", "Ta", ta, {kNarrowestPiece, 0.25});
-    LawInfo info = make_info("modified_trapezoid", fmt::format("Modified trapezoid (Ta = {})", ta),
-                             "Neklutin; Norton, Cam Design and Manufacturing Handbook", 2);
-    info.parameters = {{"Ta", ta}};
-    std::vector<AccelerationPiece> half{quarter_sine_up(0.0, ta, 1.0)};
-    if (ta < 0.5 - ta) half.push_back(constant_piece(ta, 0.5 - ta, 1.0));
-    half.push_back(quarter_cosine_down(0.5 - ta, 0.5, 1.0));
-    return harmonic(std::move(info), antisymmetric(std::move(half)));
+std::string_view law_key(std::string_view name) {
+    return trimmed(name.substr(0, name.find('(')));
 }
 
-std::unique_ptr<Law> make_modified_constant_velocity(double a, double b) {
-    require("modified_constant_velocity", "b", b, {2.0 * kNarrowestPiece, 0.5 - kNarrowestPiece});
-    require("modified_constant_velocity", "a", a, {kNarrowestPiece, b - kNarrowestPiece});
-    return mcv(make_info("modified_constant_velocity",
-                         fmt::format("Modified constant velocity ({}, {})", a, b), kHandbook, 2),
-               a, b);
+std::string law_name(const LawInfo& law) {
+    std::string_view key = law.key;
+    if (key.starts_with(kReversed)) key.remove_prefix(kReversed.size());
+    const std::vector<LawParameter>& customary = known_law(key).info.parameters;
+    const bool plain =
+        std::ranges::equal(law.parameters, customary, {}, &LawParameter::value, &LawParameter::value);
+    if (plain) return law.key;
+    return fmt::format("{}({})", law.key, listed(law.parameters, ", ", [](const LawParameter& parameter) {
+                           return fmt::to_string(parameter.value);
+                       }));
+}
+
+std::unique_ptr<Law> make_polynomial(const EndStates& ends) {
+    EndPolynomial found = polynomial_between(ends);
+    LawInfo info = info_of("polynomial", "Polynomial through the states of both ends (programs only)", 0,
+                           "Hermite interpolation");
+    info.rests = false;
+    info.parameters = {{"start_velocity", ends.start_velocity},
+                       {"start_acceleration", 2.0 * found.from_below[2]},
+                       {"end_velocity", ends.end_velocity},
+                       {"end_acceleration", 2.0 * found.from_top[2]}};
+    for (const LawParameter& parameter : info.parameters)
+        require("polynomial", parameter.name.c_str(), parameter.value, {-1e6, 1e6});
+    return std::make_unique<PolynomialLaw>(std::move(info), std::move(found.from_below),
+                                           std::move(found.from_top));
 }
 
 }  // namespace camopt

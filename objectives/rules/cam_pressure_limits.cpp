@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "motions/laws/law_catalogue.hpp"
+#include "motions/laws/law.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/segment_law.hpp"
 #include "scene/motion/set_points.hpp"
 
 namespace camopt {
@@ -20,7 +21,7 @@ void add_program(std::vector<double>& places, const Scene& scene) {
         const double end = angle / unit;
         bool rests_first = segment.kind == SegmentKind::dwell, rests_last = rests_first;
         if (segment.kind == SegmentKind::law) {
-            const auto law = make_law(segment.law);
+            const auto law = segment_law(motion, i);
             rests_first = std::abs(law->at(law->begin(), Side::right).derivative[1]) < at_rest;
             rests_last = std::abs(law->at(law->end(), Side::left).derivative[1]) < at_rest;
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motions/laws/law.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "report/json/result_fields.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/number_text.hpp"
@@ -90,7 +90,7 @@ Json motion_json(const MotionChain& motion) {
             record.curves.push_back(curve_record(*spline));
             known.push_back(spline);
         } else if (const auto* law = dynamic_cast<const Law*>(part.shape.get())) {
-            one.law = law->info().key;
+            one.law = law_name(law->info());
         }
     }
     return written(record);

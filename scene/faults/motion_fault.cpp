@@ -129,7 +129,12 @@ Fault prescribed_fault(const MotionSpec& motion) {
                       "at least one segment with kind = \"law\" or kind = \"spline\""};
 }
 
-/// `end` of a segment: at a joint of two splines.
+/// What joins with a state that the scene may give.
+bool joins_with_states(const ProgramSegment& segment) {
+    return segment.kind == SegmentKind::spline || segment.takes_states();
+}
+
+/// `end` of a segment: at a joint of splines and polynomials.
 Fault joint_fault(const MotionSpec& motion) {
     const std::size_t count = motion.segments.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -140,12 +145,13 @@ Fault joint_fault(const MotionSpec& motion) {
         const ProgramSegment& next = motion.segments[(i + 1) % count];
         if (last)
             return SceneFault{member, "a state at the end of a program that is not closed", "motion.end"};
-        if (segment.kind != SegmentKind::spline || next.kind != SegmentKind::spline)
-            return SceneFault{member,
-                              fmt::format("a state between segments of kind \"{}\" and \"{}\"",
-                                          name_of(segment.kind), name_of(next.kind)),
-                              "only between two segments of kind \"spline\": dwells and laws give the state "
-                              "where they join"};
+        if (!joins_with_states(segment) || !joins_with_states(next))
+            return SceneFault{
+                member,
+                fmt::format("a state between segments of kind \"{}\" and \"{}\"", name_of(segment.kind),
+                            name_of(next.kind)),
+                "only between segments of kind \"spline\" or of the law \"polynomial\": dwells and other "
+                "laws give the state where they join"};
         if (!segment.end->velocity && !segment.end->acceleration)
             return SceneFault{member, "no value", "velocity, acceleration or both"};
     }
@@ -227,9 +233,10 @@ Fault end_state_fault(const MotionSpec& motion) {
             return SceneFault{member, "a state of a symmetric motion", "motion.symmetric = false"};
         if (program) {
             const ProgramSegment& own = at_end ? motion.segments.back() : motion.segments.front();
-            if (own.kind != SegmentKind::spline)
-                return SceneFault{member, fmt::format("a state at a {}", name_of(own.kind)),
-                                  "only where the first, or the last, segment is a spline"};
+            if (!joins_with_states(own))
+                return SceneFault{
+                    member, fmt::format("a state at a {}", name_of(own.kind)),
+                    "only where the first, or the last, segment is a spline or the law \"polynomial\""};
         }
         if (!state->velocity && !state->acceleration)
             return SceneFault{member, "no value", "velocity, acceleration or both"};

@@ -18,7 +18,7 @@ from .drive_laws import Span, largest_along, square_along
 from .enclosures import ends_of
 from .exact import (
     KEPT, PI_ITSELF, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted)
-from .laws import END_VELOCITIES
+from .laws import ends_of_law
 from .motion_bounds import SIDES
 from .prescribed import state_at
 from .rational import Fraction
@@ -57,7 +57,7 @@ def slope_at_ends(stretch):
     if stretch.kind == "spline":
         return None, None
     return tuple(Fraction(end) * (stretch.to - stretch.start) / (stretch.end - stretch.begin)
-                 for end in END_VELOCITIES.get(stretch.law if stretch.kind == "law" else None, (0, 0)))
+                 for end in (ends_of_law(stretch.law, 1) if stretch.kind == "law" else (0, 0)))
 
 
 class Drive:

@@ -7,7 +7,7 @@ parts that is, of polynomials, a sum over the ends of their pieces. Other laws a
 
 from .enclosures import Complex, Over, fraction
 from .exact import KEPT, PI, Refuted, Unverified, derivative, number, root, times, value_at
-from .laws import POLYNOMIALS, constant
+from .laws import constant, polynomial_of
 from .phase_rows import Amplitude
 from .rational import Fraction
 from .units import in_unit
@@ -60,7 +60,7 @@ class Harmonics:
         known = Complex(constant(0), constant(0))
         for s in problem.stretches:
             if s.kind != "spline":
-                if s.kind == "law" and s.law not in POLYNOMIALS:
+                if s.kind == "law" and polynomial_of(s.law) is None:
                     raise Unverified(f"harmonics of the law {s.law}")
                 known = known + self.along(self.polynomial(s), s.begin, s.end, powers,
                                            [self.turned(order, x) for x in (s.begin, s.end)])
@@ -91,7 +91,7 @@ class Harmonics:
         if stretch.kind == "dwell":
             return [stretch.start]
         rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
-        own = [rise * c / length**m for m, c in enumerate(POLYNOMIALS[stretch.law])]
+        own = [rise * c / length**m for m, c in enumerate(polynomial_of(stretch.law))]
         return [own[0] + stretch.start] + own[1:]
 
     def keep(self, curve):

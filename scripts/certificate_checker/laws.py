@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Laws of the catalogue as formulas: f from 0 to 1 over 0 <= u <= 1, with its derivatives.
 
-Of most laws f'' has a formula piece by piece: a number and sines and cosines, up to a factor that makes f(1) = 1. Two widths of pieces
-are irrational and taken to 35 digits.
+Of most laws f'' has a formula piece by piece: a number and sines and cosines, or a line, up to a factor that makes f(1) = 1. Two widths
+of pieces are irrational and taken to 35 digits.
+
+A law is named by its key, with numbers in place of its customary ones in brackets ("modified_sine(0.2)", "scca(sine = 1, constant = 2,
+cosine = 1, coast = 0)"). "polynomial" is, between velocities v and accelerations a of both ends by u,
+    f = v0 u + a0/2 u^2 + (10 - 6 v0 - 4 v1 - 3/2 a0 + a1/2) u^3 + (-15 + 8 v0 + 7 v1 + 3/2 a0 - a1) u^4 + (6 - 3 v0 - 3 v1 - a0/2 + a1/2) u^5,
+an acceleration that is not given the one that makes the highest coefficient vanish. "reversed_..." is 1 - f(1 - u).
 """
 import functools
 
@@ -14,14 +19,61 @@ from .rational import Fraction
 PLACES, HALVINGS = 24, 90    # where a largest value is looked for in each piece, and how closely
 CLOSE = Fraction(5, 10**10)  # it is enclosed to this part of its size
 
-POLYNOMIALS = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
+FIXED = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
                "polynomial_4567": [0, 0, 0, 0, 35, -84, 70, -20],
                "polynomial_56789": [0, 0, 0, 0, 0, 126, -420, 540, -315, 70],
                "one_dwell_polynomial_345": [0, 0, 0, Fraction(20, 3), Fraction(-25, 3), Fraction(8, 3)],
                "one_dwell_polynomial_3456": [0, 0, 0, 8, -12, 6, -1],
                "run_in": [0, 0, 0, 2, -1], "run_out": [0, 2, 0, -2, 1]}
-END_VELOCITIES = {"constant_velocity": (1, 1), "run_in": (0, 2), "run_out": (2, 0)}  # others rest
-JUMPING = ("parabolic", "asymmetric_parabolic", "simple_harmonic")  # y'' jumps
+EIGHTH, THIRD = Fraction(1, 8), Fraction(1, 3)
+# Names of the numbers of a law and its customary ones.
+NUMBERS = {"modified_sine": {"Ta": EIGHTH}, "modified_trapezoid": {"Ta": EIGHTH}, "mcv_50": {"a": EIGHTH / 2, "b": Fraction(1, 4)},
+           "mcv_33": {"a": Fraction(1, 12), "b": THIRD}, "mcv_20": {"a": Fraction(1, 10), "b": Fraction(2, 5)},
+           "scca": {"sine": Fraction(135, 2), "constant": Fraction(333, 10), "cosine": Fraction(99, 2), "coast": Fraction(297, 10)},
+           "trapezoid": {"acceleration": THIRD, "coast": THIRD}, "s_curve": {"acceleration": THIRD, "coast": THIRD, "ramp": Fraction(1, 4)},
+           "one_dwell_modified_sine": {"Ta": EIGHTH}, "one_dwell_modified_trapezoid": {"Ta": EIGHTH},
+           "polynomial": dict.fromkeys(("start_velocity", "start_acceleration", "end_velocity", "end_acceleration"), Fraction(0))}
+for _law in ("parabolic", "cycloidal", "polynomial_345", "modified_sine", "modified_trapezoid"):
+    NUMBERS["asymmetric_" + _law] = NUMBERS.get(_law, {}) | {"split": Fraction(2, 5)}
+REVERSED = "reversed_"
+
+
+@functools.cache
+def parsed(name):
+    """(key, {name: number}, whether it is reversed) of a law."""
+    backwards = name.startswith(REVERSED)
+    key, bracket, inside = name[len(REVERSED) * backwards:].partition("(")
+    numbers = dict(NUMBERS.get(key.strip(), {}))
+    if bracket and not inside.endswith(")"):
+        raise Unverified(f"the law {name}")
+    for place, argument in enumerate(inside[:-1].split(",") if bracket else ()):
+        given, sign, value = argument.rpartition("=")
+        own = given.strip() if sign else list(numbers)[place] if place < len(numbers) else None
+        if own not in numbers:
+            raise Unverified(f"the law {name}")
+        numbers[own] = Fraction(value.strip())
+    return key.strip(), numbers, backwards
+
+
+def is_same(name, other):
+    """Whether two names mean one law; numbers as doubles."""
+    if name is None or other is None:
+        return name is other
+    (key, numbers, way), (other_key, other_numbers, other_way) = parsed(name), parsed(other)
+    return key == other_key and way == other_way and \
+        all(abs(own - other_numbers[n]) <= CLOSE * max(1, abs(own)) for n, own in numbers.items())
+
+
+def jumps(name):
+    """Whether f'' jumps inside, or at an end that rests."""
+    key, numbers, _ = parsed(name)
+    return key in ("parabolic", "asymmetric_parabolic", "simple_harmonic", "trapezoid") or \
+        key == "scca" and not (numbers["sine"] and numbers["cosine"]) or \
+        key == "polynomial" and any(numbers[f"{end}_acceleration"] and not numbers[f"{end}_velocity"] for end in ("start", "end"))
+
+
+def turns_back(name):
+    return parsed(name)[0].startswith(("one_dwell_", "double_"))
 
 
 def constant(value):
@@ -60,57 +112,166 @@ def stretched(pieces, by):
     return [(width * by, a / by, [(h, s / by, c / by) for h, s, c in waves]) for width, a, waves in pieces]
 
 
-def shapes():
-    e, half, quarter = Fraction(1, 8), Fraction(1, 2), Fraction(1, 4)
-    halves = {"parabolic": [level(half)], "simple_harmonic": [cosine_down(half)], "cycloidal": [half_sine(half)],
-              "modified_sine": [sine_up(e), cosine_down(3 * e)],
-              "modified_trapezoid": [sine_up(e), level(quarter), cosine_down(e)],
-              "cycloidal_cv50": [half_sine(quarter), level(quarter, 0)],
-              "gutman_13": odd_sines(Fraction(15, 32), Fraction(1, 96)), "freudenstein_13": odd_sines(Fraction(27, 56), Fraction(1, 168)),
-              "freudenstein_135": odd_sines(Fraction(1), Fraction(1, 54), Fraction(1, 1250))}
-    for name, a, b in (("mcv_50", half * e, quarter), ("mcv_33", Fraction(1, 12), Fraction(1, 3)), ("mcv_20", Fraction(1, 10), Fraction(2, 5))):
-        halves[name] = [sine_up(a), cosine_down(b - a), level(half - b, 0)]
-    found = {name: own + mirrored(own) for name, own in halves.items()}
-    split = Fraction(2, 5)
-    for name in ("parabolic", "cycloidal", "modified_sine", "modified_trapezoid"):
-        own = halves[name]
-        found["asymmetric_" + name] = stretched(own, 2 * split) + stretched(mirrored(own), 2 * (1 - split))
-    found["double_harmonic"] = [(Fraction(1), 0, [(1, 0, 1), (2, 0, -1)])]
-    zero = Fraction(8, 15)
-    found["one_dwell_modified_sine"] = [sine_up(e), cosine_down(zero - e), sine_up(1 - zero, Fraction(-8, 7))]
-    two = middle_of(root(Fraction(2)))[0]
-    found["one_dwell_cycloidal"] = [half_sine(2 - two), sine_up(two - 1, -two)]
-    zero = half + e * (half - 1 / PI_ITSELF)
-    found["one_dwell_modified_trapezoid"] = [sine_up(e), level(zero - 2 * e), (2 * e, 0, [(1, 0, 1)]), level(1 - zero - e, -1)]
+HALF = Fraction(1, 2)
+HALVES = {"parabolic": [level(HALF)], "simple_harmonic": [cosine_down(HALF)], "cycloidal": [half_sine(HALF)],
+          "cycloidal_cv50": [half_sine(HALF / 2), level(HALF / 2, 0)],
+          "gutman_13": odd_sines(Fraction(15, 32), Fraction(1, 96)), "freudenstein_13": odd_sines(Fraction(27, 56), Fraction(1, 168)),
+          "freudenstein_135": odd_sines(Fraction(1), Fraction(1, 54), Fraction(1, 1250))}
+
+
+def scca(sine, constant, cosine, coast):
+    """The first half: a quarter sine, its height, a quarter cosine, nothing."""
+    parts = [sine_up(sine) if sine else None, level(constant) if constant else None, cosine_down(cosine) if cosine else None,
+             level(coast, 0) if coast else None]
+    return [part for part in parts if part]
+
+
+def half_of(key, numbers):
+    """Pieces of f'' over 0 <= u <= 1/2 of a law with f(u) + f(1 - u) = 1; None: it is none."""
+    if key == "scca":
+        whole = 2 * sum(numbers.values())
+        return scca(*(part / whole for part in numbers.values()))
+    if key == "modified_sine":
+        return scca(numbers["Ta"], 0, HALF - numbers["Ta"], 0)
+    if key == "modified_trapezoid":
+        return scca(numbers["Ta"], HALF - 2 * numbers["Ta"], numbers["Ta"], 0)
+    if key.startswith("mcv_"):
+        return scca(numbers["a"], 0, numbers["b"] - numbers["a"], HALF - numbers["b"])
+    return HALVES.get(key)
+
+
+def turned(pieces):
+    """Pieces of f'' of 1 - f(1 - u): a wave from its end, up to a sign."""
+    found = []
+    for width, a, waves in reversed(pieces):
+        own = []
+        for h, s, c in waves:
+            if h == HALF:
+                own.append((h, -c, -s))
+            else:
+                sign = (-1)**int(h)
+                own.append((h, sign * s, -sign * c))
+        found.append((width, -a, own))
     return found
 
 
-SHAPES = shapes()
-LAWS = {*SHAPES, *POLYNOMIALS, "asymmetric_polynomial_345"}
-# Laws with y(u) + y(1 - u) = 1.
-SYMMETRIC = {law for law in LAWS if not law.startswith(("asymmetric", "one_dwell", "double", "run_"))}
+@functools.cache
+def shape_of(law):
+    """Pieces of f'' of a law, up to a factor."""
+    key, numbers, backwards = parsed(law)
+    own = one_dwell(key, numbers)
+    if own is None and key.startswith("asymmetric_"):
+        half, split = half_of(key[len("asymmetric_"):], {n: x for n, x in numbers.items() if n != "split"}), numbers["split"]
+        own = half and stretched(half, 2 * split) + stretched(mirrored(half), 2 * (1 - split))
+    if own is None:
+        half = half_of(key, numbers)
+        own = half and half + mirrored(half)
+    if not own:
+        raise Unverified(f"the law {law}")
+    return turned(own) if backwards else own
 
 
+def one_dwell(key, numbers):
+    if key == "double_harmonic":
+        return [(Fraction(1), 0, [(1, 0, 1), (2, 0, -1)])]
+    if key == "one_dwell_modified_sine":
+        ta = numbers["Ta"]
+        zero = 1 / (2 - ta)
+        return [sine_up(ta), cosine_down(zero - ta), sine_up(1 - zero, -1 / (1 - ta))]
+    if key == "one_dwell_cycloidal":
+        two = middle_of(root(Fraction(2)))[0]
+        return [half_sine(2 - two), sine_up(two - 1, -two)]
+    if key == "one_dwell_modified_trapezoid":
+        ta = numbers["Ta"]
+        zero = HALF + ta * (HALF - 1 / PI_ITSELF)
+        return [sine_up(ta), level(zero - 2 * ta), (2 * ta, 0, [(1, 0, 1)]), level(1 - zero - ta, -1)]
+    return None
+
+
+def is_symmetric(law):
+    """Whether f(u) + f(1 - u) = 1."""
+    key, numbers, _ = parsed(law)
+    if key in ("trapezoid", "s_curve"):
+        return 2 * numbers["acceleration"] + numbers["coast"] == 1
+    return not key.startswith(("asymmetric", "one_dwell", "double", "run_")) and key != "polynomial"
+
+
+def ramped(acceleration, coast, ramp=Fraction(0)):
+    """[(width, f'' by v)] of acceleration, constant velocity, deceleration, up to a factor."""
+    found, last = [], 1 - acceleration - coast
+    for width, height in ((acceleration, Fraction(1)), (coast, Fraction(0)), (last, -acceleration / last)):
+        edge = ramp * width if height else Fraction(0)
+        parts = [(edge, [Fraction(0), height / edge if edge else 0]), (width - 2 * edge, [height]),
+                 (edge, [height, -height / edge if edge else 0])]
+        found += [(own, bend) for own, bend in parts if own]
+    return found
+
+
+def integrated(pieces):
+    """[(width, f by v)] with f(0) = f'(0) = 0 and f(1) = 1 of f''."""
+    found, y, slope = [], Fraction(0), Fraction(0)
+    for width, bend in pieces:
+        own = [y, slope] + [c / ((m + 1) * (m + 2)) for m, c in enumerate(bend)]
+        found.append((width, own))
+        y, slope = (sum(c * width**m for m, c in enumerate(part)) for part in (own, derivative(own, 1)))
+    return [(width, [c / y for c in own]) for width, own in found]
+
+
+def between_states(v0, a0, v1, a1):
+    return [Fraction(0), v0, a0 / 2, 10 - 6 * v0 - 4 * v1 - a0 * 3 / 2 + a1 / 2, -15 + 8 * v0 + 7 * v1 + a0 * 3 / 2 - a1,
+            6 - 3 * v0 - 3 * v1 - a0 / 2 + a1 / 2]
+
+
+@functools.cache
 def polynomials_of(law):
     """[(width, f by v from the piece's beginning)], or None: f is none."""
-    if law == "asymmetric_polynomial_345":  # two halves of f, each stretched both ways
-        own, found = [Fraction(c) for c in POLYNOMIALS["polynomial_345"]], []
-        for by, begin in ((Fraction(4, 5), Fraction(0)), (Fraction(6, 5), Fraction(1, 2))):
+    key, numbers, backwards = parsed(law)
+    found = None
+    if key == "asymmetric_polynomial_345":  # two halves of f, each stretched both ways
+        own, found = [Fraction(c) for c in FIXED["polynomial_345"]], []
+        for by, begin in ((2 * numbers["split"], Fraction(0)), (2 * (1 - numbers["split"]), HALF)):
             part = [by * c / by**m for m, c in enumerate(shifted(own, begin))]
             found.append((by / 2, [part[0] + (1 - by if begin else 0)] + part[1:]))
+    elif key in ("trapezoid", "s_curve"):
+        found = integrated(ramped(*numbers.values()))
+    elif key == "polynomial":
+        found = [(Fraction(1), between_states(*numbers.values()))]
+    elif key in FIXED:
+        found = [(Fraction(1), [Fraction(c) for c in FIXED[key]])]
+    if found is None or not backwards:
         return found
-    return [(Fraction(1), [Fraction(c) for c in POLYNOMIALS[law]])] if law in POLYNOMIALS else None
+    turned_back = []
+    for width, own in reversed(found):
+        own = [c * (-1)**m for m, c in enumerate(shifted(own, width))]
+        turned_back.append((width, [1 - own[0]] + [-c for c in own[1:]]))
+    return turned_back
+
+
+def polynomial_of(law):
+    """f as one polynomial; None: it is none."""
+    found = polynomials_of(law)
+    return found[0][1] if found and len(found) == 1 else None
+
+
+def polynomial_between(begin, end):
+    """The name of the polynomial between states (velocity, acceleration or None: free) of both ends, by u."""
+    (v0, a0), (v1, a1) = begin, end
+    if a0 is None and a1 is None:
+        a0, a1 = 6 - 4 * v0 - 2 * v1, -6 + 2 * v0 + 4 * v1
+    elif a1 is None:
+        a1 = -12 + 6 * v0 + 6 * v1 + a0
+    elif a0 is None:
+        a0 = 12 - 6 * v0 - 6 * v1 + a1
+    return f"polynomial({v0}, {a0}, {v1}, {a1})"
 
 
 @functools.cache
 def harmonic(law):
     """Pieces (width, a, [(w, b, c)], [f, f'] at its beginning) of f'' = a + sum of b sin w v + c cos w v, v from there."""
-    if law not in SHAPES:
-        raise Unverified(f"the law {law}")
     size, pi = None, Over.number(*PI)
     for _ in range(2):  # the second time with f(1) = 1
         found, begin = [], [constant(0), constant(0)]
-        for width, a, waves in SHAPES[law]:
+        for width, a, waves in shape_of(law):
             own = (width, constant(a), [(pi * constant(h / width), constant(s), constant(c)) for h, s, c in waves])
             if size:
                 own = (width, own[1] * size, [(w, s * size, c * size) for w, s, c in own[2]])
@@ -268,7 +429,7 @@ def square_of(line, waves, x):
 @functools.cache
 def mean_of(law):
     """The mean of f, to 35 digits where it is irrational."""
-    if law in SYMMETRIC:
+    if is_symmetric(law):
         return Fraction(1, 2)
     polynomials = polynomials_of(law)
     if polynomials is not None:
@@ -288,7 +449,7 @@ def mean_of(law):
 @functools.cache
 def law_peak(law, name):
     """(low, high) around the largest |f^(r)|, of "torque" |f' f''|, of "rms_..." a root mean square."""
-    if name.endswith("jerk") and law in JUMPING:
+    if name.endswith("jerk") and jumps(law):
         raise Unverified(f"the {name} of the law {law}")
     if name.startswith("rms_"):
         low, high = square_integral(law, ORDERS[name[4:]])

@@ -11,7 +11,7 @@ from .drive import Drive
 from .enclosures import ends_of
 from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted
 from .known import name_unknown_of_machine, name_what_is_unknown
-from .laws import POLYNOMIALS, at_time, constant, parts_along
+from .laws import at_time, constant, parts_along, polynomial_of
 from .motion import Curve
 from .prescribed import state_at
 from .problem import Problem
@@ -188,9 +188,9 @@ def y_along(axis, curve, angle, width):
     if stretch.kind != "law":
         return [stretch.start]
     at, wide = ((own / (stretch.end - stretch.begin)) for own in (middle - stretch.begin, wide))
-    if stretch.law in POLYNOMIALS:
+    if polynomial_of(stretch.law) is not None:
         rise = stretch.to - stretch.start
-        moved = shifted([Fraction(c) for c in POLYNOMIALS[stretch.law]], at - wide / 2)
+        moved = shifted(polynomial_of(stretch.law), at - wide / 2)
         return combination((1, [stretch.start]), (rise, [c * wide**m for m, c in enumerate(moved)]))
     parts = parts_along(stretch, 1)
     begin, _, motion = next((part for part in parts if at < part[1]), parts[-1])

@@ -6,6 +6,7 @@ from .exact import (
     JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral, largest,
     largest_magnitude, number, product, root, shifted, value_at)
 from .motion_bounds import keep_bounds, keeps, lost_area
+from .laws import is_same
 from .prescribed import peak_of
 from .rational import Fraction
 from .spaces import Space
@@ -114,7 +115,7 @@ class Curve:
             else:
                 law = stretch.law if stretch.kind == "law" else None
                 rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
-                if part["law"] != law or abs(number(part["y0"]) - stretch.start) > STATED or \
+                if not is_same(part["law"], law) or abs(number(part["y0"]) - stretch.start) > STATED or \
                         (law and (abs(number(part["y_scale"]) - rise) > STATED or abs(number(part["x_scale"]) - length) > STATED or
                                   abs(number(part["x0"]) - stretch.begin - by) > STATED)):
                     raise Refuted("the motion's dwells or laws are not those of the scene")

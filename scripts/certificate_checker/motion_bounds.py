@@ -3,7 +3,7 @@
 
 from . import enclosures
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
-from .laws import JUMPING, constant, mean_of, parts_along
+from .laws import constant, jumps, mean_of, parts_along, turns_back
 from .rational import Fraction
 
 TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
@@ -84,7 +84,7 @@ def along_splines(curve, bound, by):
 
 def keeps(stretch, order, sign, most, begin, end):
     """Whether sign * y^(order) <= most along a dwell or a law from `begin` to `end`."""
-    if order == 3 and stretch.kind == "law" and stretch.law in JUMPING:
+    if order == 3 and stretch.kind == "law" and (jumps(stretch.law) or turns_back(stretch.law)):
         raise Unverified(f"the jerk of the law {stretch.law}")
     length = stretch.end - stretch.begin
     for at, until, motion in parts_along(stretch, order + 1):

@@ -3,7 +3,7 @@
 
 from .enclosures import Over, ends_of
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, number, root, tangent
-from .laws import JUMPING, constant, law_peak, parts_along
+from .laws import constant, jumps, law_peak, parts_along, turns_back
 from .rational import Fraction
 from .runs import Stretch
 from .units import dimension_of
@@ -125,7 +125,9 @@ def passes(problem, rule, at, side):
         return problem.drive.passes(rule, at, side)
     own = [limit[:3] for limit in limits_at(problem, rule, at, stretch)]
     signs = {sign for order, sign, _ in own if order == 3 and rule.startswith("limits.")}
-    if stretch.kind == "law" and stretch.law in JUMPING and (len(signs) == 2 or (signs and stretch.law != "simple_harmonic")):
+    if stretch.kind == "law" and signs and turns_back(stretch.law):
+        raise Unverified(f"the jerk where the law {stretch.law} turns back")
+    if stretch.kind == "law" and jumps(stretch.law) and (len(signs) == 2 or (signs and stretch.law != "simple_harmonic")):
         return True  # y'' jumps at an end of the law (of all but simple_harmonic up and down)
     if problem.cam and rule.startswith("cam.face_") and problem.cam.width:
         own += [(1, sign, problem.cam.width[1] * problem.cam.beta[1] / problem.cam.lift) for sign in (1, -1)]

@@ -3,7 +3,7 @@
 import itertools
 
 from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
-from .laws import ends_of_law
+from .laws import REVERSED, ends_of_law, polynomial_between, turns_back
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
 from .rational import Fraction
@@ -221,6 +221,7 @@ class Problem:
             self.stretches.append(Stretch(segment["kind"], joints[i], joints[i + 1], levels[i], levels[i + 1],
                                           not self.free.isdisjoint((i, i + 1))))
             self.stretches[-1].law = segment.get("law")
+        self.settle_laws(segments)
         groups = [[i for i, _ in group] for kind, group in itertools.groupby(enumerate(kinds), lambda own: own[1])
                   if kind == "spline"]
         joined = self.wraps and len(groups) > 1 and kinds[0] == kinds[-1] == "spline"
@@ -231,6 +232,50 @@ class Problem:
             passed = first if group is groups[-1] else []
             curves = [(k + apart, Fraction(0))] + [(0, joints[-1])] * (apart if passed else 0)
             self.add_run(segments, group + passed, passed, curves)
+
+    # -- laws that depend on what is beside them
+
+    def settle_laws(self, segments):
+        """"polynomial" takes the states of both ends of its segment; a law that turns back has its top where the motion does."""
+        for i, own in enumerate(self.stretches):
+            if own.kind != "law":
+                continue
+            if own.law == "polynomial":
+                if own.start is None or own.to is None or own.start == own.to:
+                    raise Unverified("a polynomial without a rise that the scene states")
+                rise, length = own.to - own.start, own.end - own.begin
+                own.law = polynomial_between(*((v * length / rise, a if a is None else a * length**2 / rise)
+                                               for v, a in (self.state_given(segments, i, after) for after in (0, 1))))
+            elif turns_back(own.law) and self.turns(i, i - 1):
+                own.law = REVERSED + own.law
+
+    def turns(self, i, other):
+        """Whether the motion goes the other way at once in a neighbour."""
+        if not (0 <= other < len(self.stretches) or self.wraps):
+            return False
+        own, other = self.stretches[i], self.stretches[other % len(self.stretches)]
+        known = None not in (own.start, own.to, other.start, other.to)
+        return other.kind != "dwell" and known and (own.to - own.start) * (other.to - other.start) < 0
+
+    def state_given(self, segments, i, after):
+        """y' and y'' at an end of a segment: what the scene states (no acceleration: None), what a law beside it has, else rest."""
+        other, count = (i + 1 if after else i - 1), len(segments)
+        if not (0 <= other < count or self.wraps):
+            point, width = self.motion.get("end" if after else "start"), self.stretches[i]
+        else:
+            before = i if after else other % count
+            point, width = segments[before].get("end"), self.stretches[before]
+        if point is not None:
+            found = [self.derivative_in_unit(point, value, width.end - width.begin) for value in ("velocity", "acceleration")]
+            return found[0] or Fraction(0), found[1]
+        beside = segments[other % count]
+        if not (0 <= other < count or self.wraps) or beside["kind"] != "law" or beside["law"] == "polynomial":
+            return Fraction(0), Fraction(0)
+        own = self.stretches[other % count]
+        if own.start is None or own.to is None:
+            raise Unverified("a polynomial beside a law of a free displacement")
+        return tuple(ends_of_law(own.law, order)[0 if after else 1] * (own.to - own.start) / (own.end - own.begin)**order
+                     for order in (1, 2))
 
     def measure_strokes(self, segments):
         """What V, A and J are measured by: splines that join in motion are one stroke; or the whole motion is (objective.peaks)."""

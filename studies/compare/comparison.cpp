@@ -336,7 +336,8 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
             optimum = comparison.rows.back().objective;
     }
     for (const LawInfo& info : law_catalogue()) {
-        if (!info.rests) continue;  // no rise by itself
+        const bool takes_states = info.key == "polynomial" && any_moves_on(bench.strokes);
+        if (!info.rests && !takes_states) continue;  // no rise by itself
         if (control.progress) {
             const std::string line = "compares with " + info.title;
             control.progress(line);

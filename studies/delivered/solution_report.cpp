@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/solution_report.hpp"
 
-#include "motions/laws/law_catalogue.hpp"
+#include "motions/laws/law.hpp"
 #include "objectives/drive_rules.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
@@ -90,9 +90,9 @@ void report_segments(Solution& solution) {
             means.add(*report.peaks, part.end - part.begin);
         }
         if (written.kind == SegmentKind::law) {
-            const LawStroke stroke{written.kind, written.law, part.begin, part.end, report.from, report.to};
-            const Peaks own =
-                law_peaks(stroke, *make_law(written.law), motion, solution.scene.motion.periodic());
+            const std::shared_ptr<const Law> law = segment_law(solution.scene.motion, s);
+            const LawStroke stroke{written.kind, law, part.begin, part.end, report.from, report.to};
+            const Peaks own = law_peaks(stroke, *law, motion, solution.scene.motion.periodic());
             const bool of_motion = solution.scene.objective.peaks == PeakScope::motion;
             report.peaks = normalised_peaks(
                 own, of_motion ? scales[s]

@@ -42,12 +42,35 @@ std::string free_displacement(std::span<const LawStroke> strokes) {
     return {};
 }
 
-/// A law from rest to rest does not take the velocity of a segment whose ends move.
-std::string moving_neighbour(std::span<const LawStroke> strokes) {
+bool moves_on(const LawStroke& stroke) {
+    return stroke.kind == SegmentKind::spline &&
+           std::ranges::any_of(stroke.ends, [](const JointState& end) { return end.velocity != 0.0; });
+}
+
+/// A law from rest to rest does not take the velocity that a stroke of a program begins or ends with.
+std::string moving_ends(std::span<const LawStroke> strokes) {
+    if (!any_moves_on(strokes)) return {};
     for (std::size_t i = 0; i < strokes.size(); ++i)
-        if (strokes[i].kind == SegmentKind::law && !make_law(strokes[i].law)->info().rests)
+        if (strokes[i].kind == SegmentKind::law && !strokes[i].law->info().rests)
             return fmt::format("rests at its ends, where {} moves on", segment_words(i));
-    return {};
+    const auto moving = std::ranges::find_if(strokes, moves_on);
+    return fmt::format("rests at its ends, where {} begins or ends in motion",
+                       segment_words(static_cast<std::size_t>(moving - strokes.begin())));
+}
+
+/// The polynomial between the ends of a stroke; null: the stroke does not rise, or a velocity is free.
+std::shared_ptr<const Law> polynomial_on(const LawStroke& stroke) {
+    const double rise = rise_of(stroke), width = width_of(stroke);
+    const auto &first = stroke.ends[0].velocity, &last = stroke.ends[1].velocity;
+    if (std::abs(rise) <= smallest_rise || !first || !last) return nullptr;
+    EndStates ends{*first * width / rise, *last * width / rise};
+    const auto normalised = [&](const std::optional<double>& acceleration) -> std::optional<double> {
+        if (!acceleration) return {};
+        return *acceleration * width * width / rise;
+    };
+    ends.start_acceleration = normalised(stroke.ends[0].acceleration);
+    ends.end_acceleration = normalised(stroke.ends[1].acceleration);
+    return make_polynomial(ends);
 }
 
 /// Turns every stroke so that the law's top lies where the motion turns; says why where it cannot.
@@ -123,6 +146,17 @@ std::optional<double> impulse_of(const LawStroke& stroke, const Law& law, const 
     return {};
 }
 
+/// By x.
+std::array<JointState, 2> ends_of(const MotionSpec& motion, std::size_t segment) {
+    const double unit = motion.unit_angle();
+    std::array<JointState, 2> ends = joint_states(motion, segment);
+    for (JointState& end : ends) {
+        if (end.velocity) *end.velocity *= unit;
+        if (end.acceleration) *end.acceleration *= unit * unit;
+    }
+    return ends;
+}
+
 void add_peaks(LawMotion& result, std::span<const LawStroke> strokes,
                const std::vector<std::shared_ptr<const Law>>& laws, bool closed) {
     JoinedMeans means;
@@ -145,14 +179,26 @@ std::vector<LawStroke> strokes_of(const MotionSpec& motion) {
     std::vector<LawStroke> strokes(1);
     strokes[0].from = 0.0;
     strokes[0].to = 1.0;
-    if (motion.type != MotionType::rr) return strokes;
+    const auto given = [](const std::optional<SetPoint>& point) {
+        return point ? JointState{point->velocity.value_or(0.0), point->acceleration} : JointState{};
+    };
+    if (motion.type != MotionType::rr) {
+        strokes[0].ends = {given(motion.start), given(motion.end)};
+        return strokes;
+    }
+    strokes[0].ends[0] = given(motion.start);
     LawStroke back = strokes[0];
     back.begin = 1.0;
     back.end = motion.length();
     std::swap(back.from, back.to);
     back.mirrored = true;
+    back.ends = {JointState{}, given(motion.end)};
     strokes.push_back(back);
     return strokes;
+}
+
+bool any_moves_on(std::span<const LawStroke> strokes) {
+    return std::ranges::any_of(strokes, moves_on);
 }
 
 std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, const Motion* optimum) {
@@ -162,7 +208,7 @@ std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, con
         const ProgramSegment& written = scene.motion.segments[i];
         const MotionFamily::Stretch& stretch = model.design.stretches()[i];
         LawStroke stroke{written.kind,
-                         written.law,
+                         written.kind == SegmentKind::law ? segment_law(scene.motion, i) : nullptr,
                          stretch.begin,
                          stretch.end,
                          known_displacement(stretch.from),
@@ -170,6 +216,8 @@ std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, con
                          model.stretch_scale(static_cast<int>(i)),
                          false};
         if (scene.motion.prescribed() && stroke.kind == SegmentKind::law) stroke.kind = SegmentKind::spline;
+        if (stroke.kind == SegmentKind::spline && !scene.motion.prescribed())
+            stroke.ends = ends_of(scene.motion, i);
         if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];
         if (!stroke.to && optimum) stroke.to = optimum->at(stroke.end, Side::left).derivative[0];
         strokes.push_back(std::move(stroke));
@@ -181,17 +229,23 @@ LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std:
     LawMotion result;
     result.misfit = free_displacement(strokes);
     if (!result.misfit.empty()) return result;
-    result.misfit = moving_neighbour(strokes);
+    const bool takes_states = law->key() == "polynomial";
+    if (!takes_states) result.misfit = moving_ends(strokes);
     if (!result.misfit.empty()) return result;
     std::vector<LawStroke> placed(strokes.begin(), strokes.end());
     if (law->info().top == TopEnd::turning_point) result.misfit = turn_strokes(placed, closed);
     if (!result.misfit.empty()) return result;
     std::vector<std::shared_ptr<const Law>> laws;
     for (const LawStroke& stroke : placed) {
-        if (stroke.kind == SegmentKind::law)
-            laws.push_back(make_law(stroke.law));
-        else
-            laws.push_back(stroke.kind == SegmentKind::spline ? law : nullptr);
+        if (stroke.kind != SegmentKind::spline) {
+            laws.push_back(stroke.law);
+            continue;
+        }
+        laws.push_back(takes_states ? polynomial_on(stroke) : law);
+        if (laws.back()) continue;
+        result.misfit =
+            fmt::format("rises between known states, which {} does not have", segment_words(laws.size() - 1));
+        return result;
     }
     result.motion = std::make_shared<MotionChain>(chain_of(placed, laws));
     add_peaks(result, placed, laws, closed);

@@ -5,6 +5,8 @@
 //   RR       the law, then its mirror image stretched to the return's angle: y(1 + ratio·t) = law(1 − t)
 //   program  the law on every spline segment, from the displacement at its begin to that at its end; on
 //            every law where the program has no spline
+//   "polynomial" takes the velocities and accelerations that the scene gives at both ends of a stroke; all
+//            other laws rest there
 //
 // A law that turns back at its top (TopEnd::turning_point) fits a stroke only where the opposite stroke
 // follows (or, mirrored, precedes) at once. An impulse of the jerk counts where y'' jumps, the joints with
@@ -14,6 +16,7 @@
 
 #include "motions/laws/law.hpp"
 #include "objectives/rules/model.hpp"
+#include "objectives/segment_law.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {
@@ -21,16 +24,20 @@ namespace camopt {
 /// One stretch of a scene: where it lies, and from where to where it moves.
 struct LawStroke {
     SegmentKind kind = SegmentKind::spline;  ///< spline: where the law goes
-    std::string law = {};                    ///< kind law: its key
+    std::shared_ptr<const Law> law = {};     ///< kind law: the scene's
     double begin = 0.0, end = 1.0;           ///< x
     std::optional<double> from, to;          ///< none: free, and nobody has chosen it
     StretchScale scale = {};                 ///< what its peaks are normalised by
     bool mirrored = false;                   ///< runs through the law from its end to its begin
+    std::array<JointState, 2> ends = {};     ///< that the scene gives, in lifts and units of x
 };
 
 /// model: of the scene. optimum: gives the displacements the scene leaves free; may be null.
 [[nodiscard]] std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model,
                                                 const Motion* optimum);
+
+/// A stroke begins or ends in motion, as only "polynomial" does.
+[[nodiscard]] bool any_moves_on(std::span<const LawStroke> strokes);
 
 /// Of a DRD or an RR motion.
 [[nodiscard]] std::vector<LawStroke> strokes_of(const MotionSpec& motion);

@@ -39,7 +39,7 @@ std::span<const LawPeaks> law_peaks() {
         {"Parabolic", "parabolic", 2.000, 4.000, {}},
         {"Simple harmonic", "simple_harmonic", 1.57, 4.93, {}},
         {"Cycloidal", "cycloidal", 2.00, 6.28, 40.0},
-        {"Modified cycloidal", "", 1.76, 5.89, 67.0},
+        {"Modified cycloidal", "scca", 1.76, 5.89, 67.0},
         {"Modified trapezoidal", "modified_trapezoid", 2.00, 4.89, 61.0},
         {"Modified sine", "modified_sine", 1.76, 5.53, 69.0},
         {"3-4-5 polynomial", "polynomial_345", 1.89, 5.77, 60.0},

@@ -3,6 +3,7 @@
 
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
+#include "objectives/segment_law.hpp"
 #include "scene/part_names.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
@@ -19,15 +20,19 @@ namespace {
     throw InputError("the result does not belong to its scene: " + what);
 }
 
-std::shared_ptr<const Motion> shape_of(const PartRecord& part, const ProgramSegment* written,
+std::shared_ptr<const Motion> shape_of(const PartRecord& part, const MotionSpec& motion, std::size_t index,
                                        const std::vector<std::shared_ptr<const Motion>>& curves) {
+    const ProgramSegment* const written =
+        motion.type == MotionType::program ? &motion.segments[index] : nullptr;
     const bool law = !part.law.empty();
     const SegmentKind kind = law ? SegmentKind::law : part.curve ? SegmentKind::spline : SegmentKind::dwell;
     const SegmentKind wanted = written != nullptr ? written->kind : SegmentKind::spline;
-    if (kind != wanted || (law && part.law != written->law))
+    const std::shared_ptr<const Law> own = wanted == SegmentKind::law ? segment_law(motion, index) : nullptr;
+    const std::string name = own ? law_name(own->info()) : std::string();
+    if (kind != wanted || part.law != name)
         refuse(fmt::format("found a part of the motion that is a {} {}; allowed: a {} {}", name_of(kind),
-                           part.law, name_of(wanted), written != nullptr ? written->law : ""));
-    if (law) return make_law(part.law);
+                           part.law, name_of(wanted), name));
+    if (law) return own;
     return part.curve ? curves.at(static_cast<std::size_t>(*part.curve)) : nullptr;
 }
 
@@ -49,7 +54,7 @@ std::shared_ptr<const MotionChain> chain_of(const Scene& scene, const MotionReco
     std::vector<ChainPart> parts;
     for (std::size_t i = 0; i < record.parts.size(); ++i) {
         parts.push_back(record.parts[i].part);
-        parts.back().shape = shape_of(record.parts[i], program ? &scene.motion.segments[i] : nullptr, curves);
+        parts.back().shape = shape_of(record.parts[i], scene.motion, i, curves);
     }
     return std::make_shared<const MotionChain>(std::move(parts));
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/plan.hpp"
 
-#include "motions/laws/law_catalogue.hpp"
+#include "motions/laws/law.hpp"
 #include "objectives/scene_family.hpp"
+#include "objectives/segment_law.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
@@ -56,10 +57,11 @@ void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
         std::ranges::count(posed.model.parameters, Parameter::Kind::dimension, &Parameter::kind));
 }
 
-bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
+bool rests_at_joint(const MotionSpec& motion, std::size_t index, bool at_its_end) {
+    const ProgramSegment& neighbour = motion.segments[index];
     if (neighbour.kind == SegmentKind::dwell) return true;
     if (neighbour.kind == SegmentKind::spline) return false;
-    const auto law = make_law(neighbour.law);
+    const auto law = segment_law(motion, index);
     const MotionPoint point = at_its_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
     constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
     return std::abs(point.derivative[1]) < at_rest && std::abs(point.derivative[2]) < at_rest;
@@ -81,12 +83,14 @@ bool bounds_by_angles(const Scene& scene) {
     if (!scene.motion.corridors.empty() || weighs_turn || weighs_any(scene.objective, CostTerm::Kind::rms))
         return false;
     const std::vector<ProgramSegment>& segments = scene.motion.segments;
+    // A polynomial changes its shape with its angle.
+    if (std::ranges::any_of(segments, &ProgramSegment::takes_states)) return false;
     const std::size_t count = segments.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (segments[i].kind != SegmentKind::spline) continue;
         if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
-        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
-            !rests_at_joint(segments[(i + 1) % count], false))
+        if (!rests_at_joint(scene.motion, (i + count - 1) % count, true) ||
+            !rests_at_joint(scene.motion, (i + 1) % count, false))
             return false;
     }
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/presolve.hpp"
 
-#include "motions/laws/law_catalogue.hpp"
+#include "motions/laws/law.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
@@ -106,15 +106,15 @@ std::optional<RestConflict> impulse_conflict(const Scene& scene, const MotionFam
         for (std::size_t s = 0; limit && s < family.stretches().size(); ++s) {
             const MotionFamily::Stretch& stretch = family.stretches()[s];
             if (stretch.kind != StretchRequest::Kind::shape) continue;
-            const std::string& law = scene.motion.segments[s].law;
+            const std::shared_ptr<const Law> law = segment_law(scene.motion, s);
             const LawStroke stroke{SegmentKind::law,
                                    law,
                                    stretch.begin,
                                    stretch.end,
                                    motion.at(stretch.begin, Side::right).derivative[0],
                                    motion.at(stretch.end, Side::left).derivative[0]};
-            const Extremum peak = derivative_peak(
-                law_peaks(stroke, *make_law(law), motion, scene.motion.periodic()), row.order());
+            const Extremum peak =
+                derivative_peak(law_peaks(stroke, *law, motion, scene.motion.periodic()), row.order());
             if (std::isfinite(peak.value)) continue;
             return RestConflict{
                 limit->key, {peak.at, motion.at(peak.at).derivative[0], false}, most_violation};

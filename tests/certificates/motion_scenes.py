@@ -102,6 +102,17 @@ TEXTS = {
                  "[objective]\njerk = 1\narea = 0.3\n", "optimal"),
     "prescribed": (PRESCRIBED + "[limits]\nvelocity = 2.1\n[objective]\nvelocity = 1\narea = 0.2\n[[motion.corridor]]\n"
                    "from_deg = 20\nto_deg = 40\ndisplacement_mm = { max = 9 }\nvelocity_mm_s = { max = 900 }\n", "optimal"),
+    "prescribed_numbers": (PRESCRIBED.replace('"cycloidal"', '"scca(1, 2, 1.5, 0.5)"').replace('"polynomial_345"', '"s_curve(0.3, 0.4, 0.2)"') +
+                           ROLLER + "[limits]\nvelocity = 2.1\npressure_angle_deg = 40\n[objective]\njerk = 1\n"
+                           'reference = "modified_sine(Ta = 0.2)"\n', "optimal"),
+    "prescribed_turn": (PRESCRIBED.replace('"cycloidal"', '"one_dwell_modified_sine(0.2)"').replace(DWELL + "angle_deg = 60\n", "")
+                        .replace('"polynomial_345"', '"one_dwell_polynomial_345"').replace("= 90\n" + LAW, "= 110\n" + LAW)
+                        .replace(DWELL + "angle_deg = 90", DWELL + "angle_deg = 150") + "[limits]\nvelocity = 1.9\n[objective]\n"
+                        "acceleration = 1\n", "optimal"),
+    "polynomials": ('[motion]\ntype = "program"\nlift_mm = 30\nspeed_rpm = 60\n' + LAW + 'law = "polynomial"\nangle_deg = 70\nto = 0.3\n' +
+                    LINE.replace("30", "40") + "to = 0.7\n" + LAW + 'law = "polynomial"\nangle_deg = 60\nto = 1\n'
+                    "end = { velocity_mm_s = -30 }\n" + SPLINE + "angle_deg = 120\nto = 0.2\n" + LAW + 'law = "polynomial"\nangle_deg = 70\n'
+                    "to = 0\n" + OBJECTIVE, "optimal"),
     "prescribed_no": (PRESCRIBED + "[limits]\nvelocity = 1.9\n", "infeasible"),
     "prescribed_side": (PRESCRIBED + "[limits]\nacceleration_m_s2 = { min = -20 }\n", "infeasible"),
     "prescribed_cam": (PRESCRIBED + ROLLER + FORCES + "[limits]\npressure_angle_deg = 40\ncontact_force_min_n = 50\n"
@@ -211,6 +222,9 @@ CHANGES = [
     ("drive_rms_term", "load_mass_kg = 8", "load_mass_kg = 8.01"), ("drive_rms_term", "cycle_deg = 300", "cycle_deg = 310"),
     ("drive_rms_term", "motor_torque_nm = 4.2", "motor_torque_nm = 4.19"),
     ("drive_rms_term", "motor_torque_nm = 4.2", "motor_torque_nm = 4.21"),
+    ("polynomials", "velocity_mm_s = -30", "velocity_mm_s = -31"), ("polynomials", "to = 0.3\n", "to = 0.31\n"),
+    ("prescribed_numbers", "Ta = 0.2", "Ta = 0.21"), ("prescribed_numbers", "1.5, 0.5", "1.5, 0.6"),
+    ("prescribed_turn", "modified_sine(0.2)", "modified_sine(0.21)"),
     ("drive_friction", "friction_nm = 0.8", "friction_nm = 0.81"), ("drive_friction", "min = -0.4", "min = -0.39"),
     ("drive_friction", "moment_nm = 1.5", "moment_nm = 1.6"), ("drive_friction", "max = 0.72", "max = 0.73"),
     ("drive_friction", "reference = \"cycloidal\"", "reference = \"polynomial_345\""),

@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, AsymmetricTest, ::testing::ValuesIn(kSymmetr
                          [](const auto& instance) { return std::string(instance.param.key); });
 
 TEST(AsymmetricLaws, HoldEveryBreakpointOfTheBase) {
-    const auto law = make_asymmetric(make_modified_trapezoid(0.125), 0.4);
+    const auto law = make_asymmetric(make_law("modified_trapezoid", std::array{0.125}), 0.4);
     const auto places = law->breakpoints();
     const double expected[] = {0.0, 0.1, 0.3, 0.4, 0.55, 0.85, 1.0};
     ASSERT_EQ(places.size(), std::size(expected));
@@ -130,19 +130,19 @@ TEST(AsymmetricLaws, HoldEveryBreakpointOfTheBase) {
 }
 
 TEST(AsymmetricLaws, ReportTheirParameters) {
-    const LawInfo info = make_asymmetric(make_modified_sine(0.1), 0.3)->info();
+    const LawInfo info = make_asymmetric(make_law("modified_sine", std::array{0.1}), 0.3)->info();
     EXPECT_EQ(info.key, "asymmetric_modified_sine");
     EXPECT_EQ(info.title, "Modified sine, split 0.3/0.7");
     ASSERT_EQ(info.parameters.size(), 2u);
     EXPECT_EQ(info.parameters[0].value, 0.1);
     EXPECT_EQ(info.parameters[1].name, "split");
     EXPECT_EQ(info.parameters[1].value, 0.3);
-    EXPECT_EQ(make_law("asymmetric_modified_sine")->info().parameters.back().value, kCatalogueSplit);
+    EXPECT_EQ(make_law("asymmetric_modified_sine")->info().parameters.back().value, 0.4);
 }
 
 TEST(AsymmetricLaws, NarrowPiecesStayFinite) {
-    EXPECT_TRUE(
-        std::isfinite(make_asymmetric(make_modified_sine(kNarrowestPiece), 0.01)->peaks().jerk.value));
+    EXPECT_TRUE(std::isfinite(
+        make_asymmetric(make_law("modified_sine", std::array{kNarrowestPiece}), 0.01)->peaks().jerk.value));
 }
 
 std::string refusal(std::unique_ptr<Law> law, double split) {

@@ -40,6 +40,10 @@ const Golden kGolden[] = {
     {"mcv_33", 1.4041, 6.6166, 124.72, -41.573, 5.2127, 1.1117, 3.8201},
     {"mcv_20", 1.5275, 5.9986, 94.226, -31.409, 5.1414, 1.1352, 3.7939},
     {"cycloidal_cv50", 1.3333, 8.3776, 105.276, -105.276, 7.2552, 1.1055, 4.1888},
+    // Those of SCCA by sums of 4 million steps.
+    {"scca", 1.7623, 5.8860, 49.311, -67.242, 7.8738, 1.1933, 4.2035},
+    {"trapezoid", 1.5, 4.5, kInfinity, -kInfinity, 6.75, 1.1180, 3.6742},
+    {"s_curve", 1.5, 6, 72, -72, 7.5, 1.1414, 4},
     {"gutman_13", 2, 5.1302, 59.218, -59.218, 8.1249, 1.2006, 4.2477},
     {"freudenstein_13", 2, 5.3856, 50.758, -50.758, 7.9175, 1.2106, 4.3106},
     {"freudenstein_135", 2, 5.0603, 59.615, -59.615, 7.8501, 1.2028, 4.2518},
@@ -214,16 +218,17 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, LawTest, ::testing::ValuesIn(kGolden),
 
 TEST(LawCatalogue, HoldsEveryKeyOnce) {
     // Those with an end that moves are no rises; they are tested beside their neighbours.
-    ASSERT_EQ(law_catalogue().size(), std::size(kGolden) + 3);
-    EXPECT_EQ(law_catalogue().back().key, "constant_velocity");
+    ASSERT_EQ(law_catalogue().size(), std::size(kGolden) + 4);
+    EXPECT_EQ(law_catalogue().back().key, "polynomial");
     for (std::size_t i = 0; i < std::size(kGolden); ++i) EXPECT_EQ(law_catalogue()[i].key, kGolden[i].key);
 }
 
 TEST(LawParameters, LimitsAreTheNeighbouringLaws) {
-    const auto sine = make_modified_sine(0.25), trapezoid = make_modified_trapezoid(0.25);
+    const auto sine = make_law("modified_sine(0.25)"), trapezoid = make_law("modified_trapezoid(Ta = 0.25)");
     const auto cycloidal = make_law("cycloidal"), harmonic = make_law("simple_harmonic"),
                parabolic = make_law("parabolic");
-    const auto nearly_harmonic = make_modified_sine(1e-7), nearly_parabolic = make_modified_trapezoid(1e-7);
+    const auto nearly_harmonic = make_law("modified_sine(1e-7)"),
+               nearly_parabolic = make_law("modified_trapezoid(1e-7)");
     for (int i = 1; i < 100; ++i) {
         const double x = i / 100.0 + 1e-3;
         for (std::size_t r = 0; r < 4; ++r) {
@@ -233,28 +238,99 @@ TEST(LawParameters, LimitsAreTheNeighbouringLaws) {
             EXPECT_NEAR(nearly_parabolic->at(x).derivative[r], parabolic->at(x).derivative[r], 1e-5);
         }
     }
-    EXPECT_TRUE(std::isfinite(make_modified_sine(kNarrowestPiece)->peaks().jerk.value));
+    EXPECT_TRUE(std::isfinite(make_law("modified_sine", std::array{kNarrowestPiece})->peaks().jerk.value));
 }
 
 TEST(LawParameters, RefusalsNameFoundAndAllowed) {
-    EXPECT_EQ(refusal([] { (void)make_modified_sine(0.3); }),
+    EXPECT_EQ(refusal([] { (void)make_law("modified_sine(0.3)"); }),
               "modified_sine: Ta = 0.3 found, allowed 1e-09 <= Ta <= 0.25");
-    EXPECT_EQ(refusal([] { (void)make_modified_trapezoid(0.0); }),
+    EXPECT_EQ(refusal([] { (void)make_law("modified_trapezoid(0)"); }),
               "modified_trapezoid: Ta = 0 found, allowed 1e-09 <= Ta <= 0.25");
-    EXPECT_NE(refusal([] { (void)make_modified_sine(std::nan("")); }), "no refusal");
-    EXPECT_NE(refusal([] { (void)make_modified_constant_velocity(0.3, 0.2); }), "no refusal");
-    EXPECT_NE(refusal([] { (void)make_modified_constant_velocity(0.1, 0.5); }), "no refusal");
+    EXPECT_NE(refusal([] { (void)make_law("modified_sine", std::array{std::nan("")}); }), "no refusal");
+    EXPECT_NE(refusal([] { (void)make_law("mcv_50(0.3, 0.2)"); }), "no refusal");
+    EXPECT_NE(refusal([] { (void)make_law("mcv_50(0.1, 0.5)"); }), "no refusal");
     EXPECT_EQ(
         refusal([] { (void)make_law("cycloid"); }),
         "motion law: \"cycloid\" found, allowed parabolic, simple_harmonic, cycloidal, polynomial_345, "
         "polynomial_4567, polynomial_56789, modified_sine, modified_trapezoid, mcv_50, mcv_33, mcv_20, "
-        "cycloidal_cv50, gutman_13, freudenstein_13, freudenstein_135, double_harmonic, "
+        "cycloidal_cv50, scca, trapezoid, s_curve, gutman_13, freudenstein_13, freudenstein_135, "
+        "double_harmonic, "
         "asymmetric_parabolic, asymmetric_cycloidal, asymmetric_polynomial_345, asymmetric_modified_sine, "
         "asymmetric_modified_trapezoid, one_dwell_modified_sine, one_dwell_modified_trapezoid, "
         "one_dwell_cycloidal, one_dwell_polynomial_345, one_dwell_polynomial_3456, run_in, run_out, "
-        "constant_velocity");
+        "constant_velocity, polynomial");
     EXPECT_EQ(refusal([] { (void)make_law("cycloidal")->at(1.5); }),
               "cycloidal: x = 1.5 found, allowed 0 <= x <= 1");
+}
+
+TEST(LawParameters, AreNamedOrInOrder) {
+    const auto same = [](std::string_view one, std::string_view other) {
+        const auto first = make_law(one), second = make_law(other);
+        for (int i = 0; i <= 100; ++i)
+            for (std::size_t r = 0; r < 4; ++r)
+                EXPECT_NEAR(first->at(i / 100.0).derivative[r], second->at(i / 100.0).derivative[r], 1e-11)
+                    << one << " at " << i / 100.0;
+    };
+    same("scca(1, 2, 1, 0)", "modified_trapezoid");
+    same("scca(coast = 2, cosine = 1.5, sine = 0.5, constant = 0)", "mcv_50");
+    same("scca(1, 0, 3, 0)", "modified_sine");
+    same("scca(1, 0, 1, 0)", "cycloidal");
+    same("scca(0, 1, 0, 0)", "parabolic");
+    same("s_curve(coast = 0.2, acceleration = 0.3, ramp = 0.1)", "s_curve(0.3, 0.2, 0.1)");
+    same("polynomial", "polynomial_345");
+    same("polynomial(end_velocity = 2, start_acceleration = 0)", "polynomial(0, 0, 2, 0)");
+    EXPECT_EQ(make_law("asymmetric_modified_sine(split = 0.3)")->info().parameters.back().value, 0.3);
+    EXPECT_EQ(law_key("s_curve(0.3)"), "s_curve");
+}
+
+TEST(LawParameters, OfAnotherLawAreRefused) {
+    const auto of = [](const char* name) { return refusal([&] { (void)make_law(name); }); };
+    EXPECT_EQ(of("modified_sine(Tb = 0.1)"),
+              "modified_sine: \"Tb = 0.1\" found, allowed numbers for Ta, in this order or by name");
+    EXPECT_EQ(of("modified_sine(0.1, 0.2)"),
+              "modified_sine: \"0.2\" found, allowed numbers for Ta, in this order or by name");
+    EXPECT_EQ(of("cycloidal(1)"), "cycloidal: \"1\" found, allowed no numbers");
+    EXPECT_EQ(of("s_curve(0.3"),
+              "motion law: \"s_curve(0.3\" found, allowed \"s_curve(…)\" with numbers in brackets");
+    EXPECT_EQ(of("scca(0, 0, 0, 1)"),
+              "scca: sine = constant = cosine = 0 found, allowed at least one of them above 0");
+    EXPECT_EQ(of("trapezoid(0.5, 0.6)"), "trapezoid: coast = 0.6 found, allowed 0 <= coast <= 0.499999999");
+}
+
+/// An acceleration that is not given costs no degree.
+TEST(Polynomial, HasLeastDegreeBetweenItsEnds) {
+    const EndStates full{0.4, 1.7, -3.0, 2.0};
+    const auto quintic = make_polynomial(full);
+    EXPECT_NEAR(quintic->at(0.0).derivative[1], 0.4, 1e-14);
+    EXPECT_NEAR(quintic->at(0.0).derivative[2], -3.0, 1e-14);
+    EXPECT_NEAR(quintic->at(1.0, Side::left).derivative[1], 1.7, 1e-14);
+    EXPECT_NEAR(quintic->at(1.0, Side::left).derivative[2], 2.0, 1e-14);
+    for (const bool start : {false, true})
+        for (const bool end : {false, true}) {
+            EndStates ends = full;
+            if (!start) ends.start_acceleration.reset();
+            if (!end) ends.end_acceleration.reset();
+            const std::vector<double> found = polynomial_between(ends).from_below;
+            EXPECT_EQ(std::abs(found[5]) < 1e-13, !(start && end));
+            EXPECT_EQ(std::abs(found[4]) < 1e-13, !start && !end);
+        }
+}
+
+TEST(ReversedLaw, RunsFromEndToBegin) {
+    const std::shared_ptr<const Law> law = make_law("one_dwell_modified_sine");
+    const auto reversed = make_reversed(law);
+    for (int i = 0; i <= 50; ++i) {
+        const double x = i / 50.0;
+        const LawDerivatives own = law->derivatives(1.0 - x, Side::right),
+                             turned = reversed->derivatives(x, Side::left);
+        EXPECT_NEAR(turned[0], 1.0 - own[0], 1e-15);
+        for (std::size_t r = 1; r < 5; ++r) EXPECT_EQ(turned[r], r % 2 == 1 ? own[r] : -own[r]);
+    }
+    const auto ranges = reversed->ranges({0.9, 0.95});
+    ASSERT_TRUE(ranges);
+    const LawDerivatives inside = reversed->derivatives(0.93);
+    for (std::size_t r = 0; r < 5; ++r)
+        EXPECT_TRUE((*ranges)[r].lower <= inside[r] && inside[r] <= (*ranges)[r].upper) << r;
 }
 
 }  // namespace laws_test

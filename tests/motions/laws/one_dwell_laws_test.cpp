@@ -41,8 +41,9 @@ TEST(OneDwellLaws, ModifiedSineMatchesClosedPeaks) {
         const double b = 1.0 / (2.0 - a), p = b - a, q = 1.0 - b;
         const double lift =
             2 * a * a / pi * (1 - 2 / pi) + 2 * a * p / pi + 4 * p * p / (pi * pi) + 4 * b * q / (pi * pi);
-        expect_peaks(*make_one_dwell_modified_sine(a), {2 * b / pi / lift, b, 1 / lift, 1 / (1 - a) / lift,
-                                                        pi / (2 * a) / lift, -pi / (2 * p) / lift});
+        expect_peaks(
+            *make_law("one_dwell_modified_sine", std::array<double, 1>{a}),
+            {2 * b / pi / lift, b, 1 / lift, 1 / (1 - a) / lift, pi / (2 * a) / lift, -pi / (2 * p) / lift});
     }
 }
 
@@ -50,7 +51,7 @@ TEST(OneDwellLaws, ModifiedSineMatchesClosedPeaks) {
 TEST(OneDwellLaws, CycloidalHasItsClosedPeaks) {
     const double b = 2.0 - sqrt2, q = 1.0 - b;
     const double top = 2 * b / pi, lift = 0.5 * top * b + 2 * q / pi * top;
-    expect_peaks(*make_one_dwell_cycloidal(),
+    expect_peaks(*make_law("one_dwell_cycloidal"),
                  {top / lift, b, 1 / lift, sqrt2 / lift, pi / b / lift, -pi / b / lift});
 }
 
@@ -61,7 +62,7 @@ TEST(OneDwellLaws, ModifiedTrapezoidMatchesClosedPeaks) {
         // Quarter sine, constant, two quarters of the half cosine, constant down to rest.
         const double lift = start * (a - start) + flat * (start + 0.5 * flat) +
                             2 * (a * (start + flat) + start * start) + 0.5 * last * last;
-        expect_peaks(*make_one_dwell_modified_trapezoid(a),
+        expect_peaks(*make_law("one_dwell_modified_trapezoid", std::array<double, 1>{a}),
                      {top / lift, b, 1 / lift, 1 / lift, pi / (2 * a) / lift, -pi / (2 * a) / lift});
     }
 }
@@ -69,16 +70,16 @@ TEST(OneDwellLaws, ModifiedTrapezoidMatchesClosedPeaks) {
 TEST(OneDwellLaws, PolynomialsHaveTheirClosedPeaks) {
     // y'' = 20/3 x (6 - 15 x + 8 x²), zero at x = (15 - √33)/16; y''' = 40 - 200 x + 160 x².
     const double z = (15.0 - std::sqrt(33.0)) / 16.0;
-    expect_peaks(*make_one_dwell_polynomial_345(),
+    expect_peaks(*make_law("one_dwell_polynomial_345"),
                  {20.0 / 3.0 * z * z * (1 - z) * (3 - 2 * z), z, 55.0 / 12.0, 20.0 / 3.0, 40.0, -22.5});
     // In s = 1 - x: y' = 6 s (1 - s²)², largest at s = √⅕; y'' = 6 (1 - s²)(5 s² - 1), largest at s = √⅗;
     // y''' = 24 s (5 s² - 3), least at s = √⅕.
     const double s = std::sqrt(0.2);
-    expect_peaks(*make_one_dwell_polynomial_3456(), {6 * s * 0.64, 1 - s, 4.8, 6.0, 48.0, -48.0 * s});
+    expect_peaks(*make_law("one_dwell_polynomial_3456"), {6 * s * 0.64, 1 - s, 4.8, 6.0, 48.0, -48.0 * s});
 }
 
 TEST(OneDwellLaws, PolynomialsAreThoseWritten) {
-    const auto five = make_one_dwell_polynomial_345(), six = make_one_dwell_polynomial_3456();
+    const auto five = make_law("one_dwell_polynomial_345"), six = make_law("one_dwell_polynomial_3456");
     for (int i = 0; i <= 100; ++i) {
         const double x = i / 100.0, t = 0.5 * x;
         EXPECT_NEAR(five->at(x).derivative[0], (20 * x * x * x - 25 * x * x * x * x + 8 * std::pow(x, 5)) / 3,
@@ -114,29 +115,39 @@ void expect_same(const Law& found, const Law& expected, double tolerance) {
 }
 
 TEST(OneDwellLaws, LimitsAreTheNeighbouringLaws) {
-    expect_same(*make_one_dwell_modified_sine(1e-7), *make_law("simple_harmonic"), 1e-5);
-    expect_same(*make_one_dwell_modified_sine(1.0 - 0.5 * sqrt2), *make_one_dwell_cycloidal(), 1e-12);
-    expect_same(*make_one_dwell_modified_trapezoid(1e-7), *make_law("parabolic"), 1e-5);
-    const auto widest = make_one_dwell_modified_trapezoid(pi / (3 * pi + 2));
+    expect_same(*make_law("one_dwell_modified_sine", std::array<double, 1>{1e-7}),
+                *make_law("simple_harmonic"), 1e-5);
+    expect_same(*make_law("one_dwell_modified_sine", std::array<double, 1>{1.0 - 0.5 * sqrt2}),
+                *make_law("one_dwell_cycloidal"), 1e-12);
+    expect_same(*make_law("one_dwell_modified_trapezoid", std::array<double, 1>{1e-7}),
+                *make_law("parabolic"), 1e-5);
+    const auto widest = make_law("one_dwell_modified_trapezoid", std::array<double, 1>{pi / (3 * pi + 2)});
     EXPECT_EQ(widest->breakpoints().size(), 4u);
     EXPECT_NEAR(widest->derivatives(1.0)[0], 1.0, 1e-14);
     for (const double below : {1e-3, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-15})
-        expect_same(*make_one_dwell_modified_trapezoid(pi / (3 * pi + 2) - below), *widest,
-                    1e3 * below + 1e-6);
-    EXPECT_TRUE(std::isfinite(make_one_dwell_modified_sine(kNarrowestPiece)->peaks().jerk.value));
-    EXPECT_TRUE(std::isfinite(make_one_dwell_modified_trapezoid(kNarrowestPiece)->peaks().jerk.value));
+        expect_same(
+            *make_law("one_dwell_modified_trapezoid", std::array<double, 1>{pi / (3 * pi + 2) - below}),
+            *widest, 1e3 * below + 1e-6);
+    EXPECT_TRUE(std::isfinite(
+        make_law("one_dwell_modified_sine", std::array<double, 1>{kNarrowestPiece})->peaks().jerk.value));
+    EXPECT_TRUE(std::isfinite(make_law("one_dwell_modified_trapezoid", std::array<double, 1>{kNarrowestPiece})
+                                  ->peaks()
+                                  .jerk.value));
 }
 
 TEST(OneDwellLaws, RefusalsNameFoundAndAllowed) {
     EXPECT_TRUE(refusal([] {
-                    (void)make_one_dwell_modified_sine(0.3);
+                    (void)make_law("one_dwell_modified_sine", std::array<double, 1>{0.3});
                 }).starts_with("one_dwell_modified_sine: Ta = 0.3 found, allowed 1e-09 <= Ta <= 0.2928"));
     EXPECT_TRUE(
         refusal([] {
-            (void)make_one_dwell_modified_trapezoid(0.28);
+            (void)make_law("one_dwell_modified_trapezoid", std::array<double, 1>{0.28});
         }).starts_with("one_dwell_modified_trapezoid: Ta = 0.28 found, allowed 1e-09 <= Ta <= 0.2749"));
-    EXPECT_NE(refusal([] { (void)make_one_dwell_modified_sine(0.0); }), "no refusal");
-    EXPECT_NE(refusal([] { (void)make_one_dwell_modified_trapezoid(std::nan("")); }), "no refusal");
+    EXPECT_NE(refusal([] { (void)make_law("one_dwell_modified_sine", std::array<double, 1>{0.0}); }),
+              "no refusal");
+    EXPECT_NE(
+        refusal([] { (void)make_law("one_dwell_modified_trapezoid", std::array<double, 1>{std::nan("")}); }),
+        "no refusal");
 }
 
 }  // namespace one_dwell_laws_test

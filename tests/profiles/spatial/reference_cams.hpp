@@ -22,7 +22,7 @@ using units::millimetre;
 
 /// Rest to `from`, then the law over (from, from + width) by `lift`, then rest to the end; rad.
 inline FollowerMotion rise_motion(double from, double width, double lift, double begin, double end) {
-    const std::shared_ptr<const Law> law = make_modified_sine(0.125);
+    const std::shared_ptr<const Law> law = make_law("modified_sine");
     FollowerMotion motion;
     motion.state = [=](double theta) -> FollowerState {
         const double x = (theta - from) / width;
