@@ -280,10 +280,11 @@ Extremum largest_of(const std::vector<Extremum>& maxima) {
     return largest;
 }
 
-Extremum extreme_of(LinearBound bound, const Motion& motion) {
-    bound.bound = 0.0;
-    bound.scale = 1.0;
-    return largest_of(rule_maxima(LinearRule(bound), motion, {}));
+Extremum extreme_of(const LinearBound& bound, const Motion& motion) {
+    LinearBound plain = bound;
+    plain.bound = 0.0;
+    plain.scale = 1.0;
+    return largest_of(rule_maxima(LinearRule(plain), motion, {}));
 }
 
 }  // namespace camopt

@@ -31,7 +31,7 @@ struct MaximaAlong {
 [[nodiscard]] Extremum largest_of(const std::vector<Extremum>& maxima);
 
 /// Where a motion comes nearest to a bound, or exceeds it most: sign · y^{(order)}, or the sum.
-[[nodiscard]] Extremum extreme_of(LinearBound bound, const Motion& motion);
+[[nodiscard]] Extremum extreme_of(const LinearBound& bound, const Motion& motion);
 
 }  // namespace camopt
 
