@@ -7,11 +7,12 @@ namespace camopt {
 
 CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
     : cam_(std::move(cam)), formula_(std::move(formula)) {
-    parameters_.reserve(cam_->variables.size());
-    active_.reserve(cam_->variables.size());
-    for (const CamVariables::Variable& variable : cam_->variables) {
-        parameters_.push_back(variable.parameter);
-        active_.push_back(variable.dimension);
+    const std::size_t count = formula_.of_loads ? cam_->variables.size() : cam_->own_variables;
+    parameters_.reserve(count);
+    active_.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        parameters_.push_back(cam_->variables[k].parameter);
+        active_.push_back(cam_->variables[k].dimension);
     }
     if (active_.size() > MechanismValue::most_active)
         throw ModelError(fmt::format("cam: found {} dimensions that are ranges; allowed: at most {}",
@@ -95,7 +96,7 @@ RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) 
     ++*cam_->profile_points;
     const std::vector<double> dimensions = cam_->dimensions_for(q);
     const MechanismState state{dimensions, state_of(point, cam_->scale), cam_->scale.unit_angle * point.x};
-    return normalised(formula_.value({*cam_->cam.formulas, state, active_}));
+    return normalised(formula_.value({*cam_->cam.formulas, state, active_, cam_->own_variables}));
 }
 
 }  // namespace camopt

@@ -3,6 +3,7 @@
 
 #include "scene/cost_table.hpp"
 #include "solvers/certificate/box_proof.hpp"
+#include "studies/delivered/solution_report.hpp"
 
 namespace camopt {
 
@@ -209,7 +210,7 @@ void CostScale::scale_weights(const std::vector<double>& figures, const Peaks& r
 }
 
 void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& reference) const {
-    solution.scene = scene;
+    set_scene(solution, scene);
     solution.reference_peaks = reference;
     for (std::size_t i = 0; i < solution.own_terms.size(); ++i) {
         OwnTermReport& term = solution.own_terms[i];
