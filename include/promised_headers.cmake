@@ -30,7 +30,8 @@ endmacro()
 camopt_promise(adjustments [[
 What a user could change about a scene without a motion, one number at a time, and the search for the
 least change of each (explain(solution, control); solve() does it already where it finds nothing).]]
-  studies/explain/adjustment.hpp)
+  studies/explain/explain.hpp
+  studies/least/adjustment.hpp)
 camopt_promise(any_curve_limit [[
 The limit that no curve can pass: any_curve_limit(input) is the least wV V + wA A + wJ J over all motions
 of bounded jerk, regardless of their shape. Peaks without units. Errors: InputError for weights that are

@@ -301,6 +301,21 @@ void add_magnitude(CamModel& model, int of, double weight) {
     }
 }
 
+/// The numbers of the spring that are ranges: variables with places after the dimensions of the cam.
+void add_spring(CamModel& model, CamVariables& cam, const ForceSpec& forces) {
+    for (std::size_t k = 0; k < spring_numbers.size(); ++k) {
+        const auto& range = forces.*spring_numbers[k].range;
+        if (!range) continue;
+        const auto [low, high] = *range;
+        const double reference = std::max(std::abs(low), std::abs(high));
+        cam.spring[k] = static_cast<int>(cam.cam.dimensions.size());
+        cam.cam.dimensions.push_back(forces.*spring_numbers[k].number);
+        cam.variables.push_back({cam.spring[k], static_cast<int>(model.parameters.size()), reference});
+        model.parameters.push_back({spring_numbers[k].key, Parameter::Kind::dimension, 0, reference, 0.0,
+                                    low / reference, high / reference});
+    }
+}
+
 void add_cam(CamModel& model, const Scene& scene) {
     const std::optional<CamSpec>& spec = scene.cam;
     if (!spec) return;
@@ -323,6 +338,8 @@ void add_cam(CamModel& model, const Scene& scene) {
         if (!signless && weight > 0.0) add_magnitude(model, index, weight * reference);
         cam->variables.push_back({static_cast<int>(d), index, reference});
     }
+    cam->own_variables = cam->variables.size();
+    if (scene.forces) add_spring(model, *cam, *scene.forces);
     model.cam = cam;
     add_reach_rows(model, *spec);
     for (const auto& rule : cam_limits(scene, *cam)) model.rules.emplace_back(rule);

@@ -117,6 +117,9 @@ struct LoadSpeed {
 struct ForceSpec {
     double mass = 0.0, spring_rate = 0.0, preload = 0.0;
     double damping = 0.0;  ///< >= 0, viscous
+    /// What preload and spring rate are chosen from, SI: the optimizer's, with the motion. The numbers above
+    /// are then the middle, of a solution what was chosen. None: fixed.
+    std::optional<std::array<double, 2>> preload_range = {}, spring_rate_range = {};
     /// An outer force at cam angles counted from the start of the motion (rad; N or N m), ascending, linear
     /// between them; the last one passes on to the first of the next turn. One: constant. None: 0.
     std::vector<std::array<double, 2>> load = {};
@@ -127,6 +130,13 @@ struct ForceSpec {
     /// rad/s of the cam, the lower first: limits on loads hold at every speed between (Scene::load_speeds).
     std::optional<std::array<double, 2>> speed_range = {};
 
+    /// The optimizer chooses a number of the spring.
+    [[nodiscard]] bool is_chosen() const { return preload_range || spring_rate_range; }
+    /// Of the ranges the numbers that were chosen remain.
+    void fix() {
+        preload_range.reset();
+        spring_rate_range.reset();
+    }
     /// The outer force at a cam angle, and its derivative by it: linear on the stretch that `side` sees.
     struct Load {
         double force = 0.0, slope = 0.0;
@@ -146,6 +156,17 @@ struct ForceSpec {
     }
     friend bool operator==(const ForceSpec&, const ForceSpec&) = default;
 };
+
+/// A number of ForceSpec that may be a range.
+struct SpringNumber {
+    const char* key;  ///< without its unit
+    double ForceSpec::*number;
+    std::optional<std::array<double, 2>> ForceSpec::*range;
+};
+inline constexpr std::array<SpringNumber, 2> spring_numbers = {{
+    {"forces.preload", &ForceSpec::preload, &ForceSpec::preload_range},
+    {"forces.spring_rate", &ForceSpec::spring_rate, &ForceSpec::spring_rate_range},
+}};
 
 // Data of a workshop drawing and a solid of a disk cam in addition to its profile, without effect on the
 // motion. m and rad. Angles are cam angles: the ray of the cam that points along +y when the cam has turned

@@ -135,6 +135,20 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .meaning = "Least force that presses a translating follower on the cam.",
      .swinging = {"contact_moment_min", spellings::moment,
                   "Least moment that presses an oscillating follower on the cam."}},
+    {.figure = Figure::contact_force_most,
+     .name = "contact_force_max",
+     .limit = &LimitSpec::contact_force_max,
+     .spellings = spellings::force,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_forces = true,
+     .meaning =
+         "Cap on the force that presses a translating follower on the cam; in a groove, on two flanks or "
+         "two cams to either side.",
+     .swinging =
+         {"contact_moment_max", spellings::moment,
+          "Cap on the moment that presses an oscillating follower on the cam; to either side where both "
+          "carry."}},
     {.figure = Figure::torque,
      .name = "torque_max",
      .limit = &LimitSpec::torque_max,
@@ -295,6 +309,12 @@ bool limits_cam(const LimitSpec& limits) {
 bool limits_forces(const LimitSpec& limits) {
     return std::ranges::any_of(
         cam_limit_rows, [&](const LimitRow& row) { return row.needs_forces && row.in(limits).has_value(); });
+}
+
+bool limits_spring(const LimitSpec& limits) {
+    LimitSpec without = limits;
+    without.spring_harmonic.reset();  // of the motion alone
+    return limits_forces(without);
 }
 
 }  // namespace camopt

@@ -115,5 +115,7 @@ struct LimitRow {
 
 [[nodiscard]] bool limits_cam(const LimitSpec& limits);     ///< any of the cam
 [[nodiscard]] bool limits_forces(const LimitSpec& limits);  ///< any that needs forces
+[[nodiscard]] bool limits_spring(
+    const LimitSpec& limits);  ///< of these any that preload and spring rate change
 
 }  // namespace camopt

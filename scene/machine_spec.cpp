@@ -54,6 +54,9 @@ Fault motion_fault(const Scene& scene) {
     }
     if (scene.spline.free_knots)
         return SceneFault{"spline.knots", "\"free\"", "in a machine fixed breakpoints"};
+    for (const SpringNumber& number : spring_numbers)
+        if (scene.forces && (*scene.forces).*number.range)
+            return SceneFault{number.key, "a range", "in a machine a fixed number"};
     if (scene.cam)
         for (const CamDimension& dimension : scene.cam->dimensions)
             if (dimension.value.is_variable())
@@ -70,10 +73,9 @@ Fault axis_fault(const MachineSpec& machine, std::size_t index) {
                           "an angle above -360 deg and below 360 deg: within the cycle"};
     if (Fault fault = motion_fault(axis.scene))
         return SceneFault{member + ".scene." + fault->member, fault->found, fault->allowed};
-    if (const ObjectiveSpec& objective = axis.scene.objective; objective.seeks_number())
+    if (const std::optional<SoughtKey>& sought = axis.scene.objective.sought)
         return SceneFault{
-            fmt::format("{}.scene.objective.{}", member, objective.least.empty() ? "largest" : "least"),
-            fmt::format("\"{}\"", objective.least.empty() ? objective.largest : objective.least),
+            fmt::format("{}.scene.{}", member, sought->member()), fmt::format("\"{}\"", sought->key),
             "none in an axis: a machine seeks its largest speed, where machine.speed is a range"};
     return {};
 }

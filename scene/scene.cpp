@@ -70,7 +70,10 @@ std::vector<LoadSpeed> Scene::load_speeds() const {
     const double speed = motion.speed.value(), rpm = units::revolution_per_minute;
     std::vector<LoadSpeed> all = {{speed * speed, speed}};
     if (load.mass == 0.0 && load.damping == 0.0) return all;
-    const bool presses = load.spring_rate > 0.0 || load.preload > 0.0;
+    const bool presses = std::ranges::any_of(spring_numbers, [&](const SpringNumber& number) {
+        const auto& range = load.*number.range;
+        return (range ? (*range)[1] : load.*number.number) > 0.0;
+    });
     const auto [low, high] =
         load.speed_range.value_or(std::array{presses && limits.hertz_pressure_max ? 0.0 : speed, speed});
     for (const double end : {low, high})

@@ -220,6 +220,17 @@ struct Reference {
     friend bool operator==(const Reference&, const Reference&) = default;
 };
 
+/// A number of a scene whose least, or largest, value with a motion is sought first
+/// (studies/least/least_value.hpp); the weights choose among the motions at it.
+struct SoughtKey {
+    std::string key;       ///< "limits.pressure_angle_deg"
+    bool largest = false;  ///< better large
+
+    /// The key of the scene file that names it.
+    [[nodiscard]] const char* member() const { return largest ? "objective.largest" : "objective.least"; }
+    friend bool operator==(const SoughtKey&, const SoughtKey&) = default;
+};
+
 struct ObjectiveSpec {
     double velocity = 0.0, acceleration = 0.0, jerk = 0.0;  ///< weights, >= 0
     double torque = 0.0;                                    ///< weight, >= 0, of max |y' y''|
@@ -234,12 +245,8 @@ struct ObjectiveSpec {
     Reference reference;
     TieBreak tie_break = TieBreak::rms_jerk;
     PeakScope peaks = PeakScope::strokes;
-    /// Keys: "limits.pressure_angle_deg". Of one of them the least, or the largest, value with a motion is
-    /// sought first (studies/least/least_value.hpp); the weights choose among the motions at it.
-    std::string least = {}, largest = {};
-    double least_gap = 1e-4;  ///< relative distance of that value from one that is proved impossible
-
-    [[nodiscard]] bool seeks_number() const { return !least.empty() || !largest.empty(); }
+    std::optional<SoughtKey> sought = {};
+    double least_gap = 1e-4;  ///< relative distance of the value sought from one that is proved impossible
     friend bool operator==(const ObjectiveSpec&, const ObjectiveSpec&) = default;
 };
 
@@ -300,9 +307,10 @@ enum class LimitedFigure {
     return_pressure_angle,  ///< while it returns
     convex_radius,          ///< of the cam's surface, where it is convex
     concave_radius,         ///< where it is concave
-    regularity,     ///< 1 − roller radius / pitch radius, or cam radius / base radius of a flat face
-    contact_force,  ///< F or M of ForceSpec
-    torque,         ///< |camshaft torque|
+    regularity,          ///< 1 − roller radius / pitch radius, or cam radius / base radius of a flat face
+    contact_force,       ///< F or M of ForceSpec, the least
+    contact_force_most,  ///< the largest, in a groove to either side
+    torque,              ///< |camshaft torque|
     hertz_pressure,
     residual,               ///< amplitude of the output's free vibration after a rise or a return
     dynamic_contact_force,  ///< of the elastic train on the cam
@@ -313,7 +321,7 @@ enum class LimitedFigure {
     motor_speed,       ///< |n|
     spring_harmonic    ///< largest amplitude of the harmonics of the lift near the spring's frequency
 };
-inline constexpr int limited_figure_count = 17;
+inline constexpr int limited_figure_count = 18;
 
 /// The highest harmonic of the lift that a limit may name, or a spring be near to.
 inline constexpr int most_harmonic = 1000;
@@ -333,6 +341,7 @@ struct LimitSpec {
     std::optional<WrittenLimit> undercut_margin;
     // These need forces and a speed too.
     std::optional<WrittenLimit> contact_force_min;   ///< of F (N) or M (N m) of ForceSpec
+    std::optional<WrittenLimit> contact_force_max;   ///< of F or M; where both sides carry, of its magnitude
     std::optional<WrittenLimit> torque_max;          ///< |camshaft torque|, N m
     std::optional<WrittenLimit> hertz_pressure_max;  ///< Pa; needs a contact width
     // These need dynamics, and no cam.

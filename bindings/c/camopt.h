@@ -231,11 +231,12 @@ CAMOPT_C_API camopt_error camopt_solution_peaks(const camopt_solution* solution,
 /// without a motion.
 CAMOPT_C_API camopt_error camopt_solution_motion_peaks(const camopt_solution* solution, camopt_peaks* peaks);
 
-/// A number of the cam: "base_radius", 30, "mm".
+/// A number of the cam: "base_radius", 30, "mm"; after these of its spring what was a range: "preload", 120,
+/// "N".
 typedef struct camopt_parameter {
     size_t size;
     const char* name;
-    const char* unit;  ///< "mm" or "deg"
+    const char* unit;  ///< "mm" or "deg"; "N", "N/m", of a swinging follower "N m", "N m/rad"
     double value;
     int is_variable;  ///< the optimizer chose it
 } camopt_parameter;

@@ -77,6 +77,13 @@ std::vector<camopt_parameter> parameters_of(const camopt_solution& handle) {
                        numbers[i] / (dimension.is_angle ? degree : millimetre),
                        dimension.value.is_variable() ? 1 : 0});
     }
+    const Scene& scene = handle.solution.scene;
+    const bool swings = scene.motion.lift_is_angle;
+    if (scene.forces && scene.forces->preload_range)
+        all.push_back({sizeof(camopt_parameter), "preload", swings ? "N m" : "N", scene.forces->preload, 1});
+    if (scene.forces && scene.forces->spring_rate_range)
+        all.push_back({sizeof(camopt_parameter), "spring_rate", swings ? "N m/rad" : "N/m",
+                       scene.forces->spring_rate, 1});
     return all;
 }
 

@@ -25,12 +25,18 @@ struct Force {
     ForceSpec spec;
     double nominal;  ///< the speed of the scene
     LoadSpeed at;
-    double constant = 0.0, slope = 0.0;                     ///< with the preload
+    double constant = 0.0, slope = 0.0;                     ///< with a fixed preload
+    int preload = -1, spring_rate = -1;                     ///< CamVariables::spring
     std::array<double, 2> between = {-infinity, infinity};  ///< x
 
     [[nodiscard]] auto operator()(const auto& call) const {
         auto force = spec.mass * at.square * call.acceleration() + spec.damping * at.speed * call.velocity() +
-                     spec.spring_rate * call.displacement() + constant;
+                     constant;
+        if (spring_rate < 0)
+            force = force + spec.spring_rate * call.displacement();
+        else
+            force = force + call.dimension(spring_rate) * call.displacement();
+        if (preload >= 0) force = force + call.dimension(preload);
         if (slope != 0.0) force = force + slope * call.angle();
         return force;
     }
@@ -42,6 +48,8 @@ struct Force {
     }
     /// Only on this part of the motion; linear in it, but not the same everywhere. `station`: "upper flank".
     void place(CamFormula& formula, const std::string& station = {}) const {
+        formula.of_loads = true;
+        if (spring_rate >= 0) formula.linear = false;
         formula.between = between;
         formula.remark = station.empty() || at.words.empty() ? station + at.words : station + ", " + at.words;
         if (slope == 0.0) return;
@@ -51,10 +59,15 @@ struct Force {
 };
 
 /// One for each line of the load.
-std::vector<Force> forces_of(const Scene& scene, const LoadSpeed& at_speed) {
+std::vector<Force> forces_of(const Limits& limits, const LoadSpeed& at_speed) {
+    const Scene& scene = limits.scene();
     const ForceSpec& spec = *scene.forces;
-    const double speed = *scene.motion.speed;
-    if (spec.load.size() < 2) return {{spec, speed, at_speed, spec.preload + spec.load_at(0.0).force}};
+    Force force{spec, *scene.motion.speed, at_speed};
+    force.preload = limits.variables().spring[0];
+    force.spring_rate = limits.variables().spring[1];
+    const double fixed = force.preload < 0 ? spec.preload : 0.0;
+    force.constant = fixed + spec.load_at(0.0).force;
+    if (spec.load.size() < 2) return {force};
     const double unit = scene.motion.unit_angle(), end = unit * scene.motion.length();
     std::vector<double> joints = {0.0, end};
     for (const std::array<double, 2>& point : spec.load) {
@@ -69,12 +82,10 @@ std::vector<Force> forces_of(const Scene& scene, const LoadSpeed& at_speed) {
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
         if (!(joints[i + 1] > joints[i])) continue;
         const ForceSpec::Load line = spec.load_at(joints[i]);
-        all.push_back({spec,
-                       speed,
-                       at_speed,
-                       spec.preload + line.force - line.slope * joints[i],
-                       line.slope,
-                       {joints[i] / unit, joints[i + 1] / unit}});
+        force.constant = fixed + line.force - line.slope * joints[i];
+        force.slope = line.slope;
+        force.between = {joints[i] / unit, joints[i + 1] / unit};
+        all.push_back(force);
     }
     return all;
 }
@@ -88,6 +99,18 @@ void add_contact_force(Limits& limits, const WrittenLimit& limit, const Force& f
     formula.linear = true;
     force.place(formula);
     limits.add(std::move(formula));
+}
+
+/// Of a cam that drives both ways, to either side.
+void add_largest_force(Limits& limits, const WrittenLimit& limit, const Force& force) {
+    for (int station = 0; station < limits.cam().stations(); ++station) {
+        CamFormula formula = cam_formula(limit.key, [=, most = limit.value](const auto& call) {
+            return pressing_sense(station) / most * force(call) + -1.0;
+        });
+        formula.linear = true;
+        force.place(formula, limits.cam().station_name(station));
+        limits.add(std::move(formula));
+    }
 }
 
 void add_torque(Limits& limits, const WrittenLimit& limit, const Force& force) {
@@ -174,10 +197,12 @@ void add_forces(Limits& limits) {
     if (pressure) refuse_hertz_pressure(limits, *pressure, *scene.forces);
     std::vector<Force> forces;
     for (const LoadSpeed& speed : scene.load_speeds())
-        for (Force& force : forces_of(scene, speed)) forces.push_back(std::move(force));
+        for (Force& force : forces_of(limits, speed)) forces.push_back(std::move(force));
     for (const Force& force : forces) {
         if (const auto& least = limit_on(scene.limits, LimitedFigure::contact_force))
             add_contact_force(limits, *least, force);
+        if (const auto& most = limit_on(scene.limits, LimitedFigure::contact_force_most))
+            add_largest_force(limits, *most, force);
         if (torque) add_torque(limits, *torque, force);
         for (int station = 0; pressure && station < limits.cam().stations(); ++station)
             add_hertz_pressure(limits, *pressure, force, station);

@@ -9,8 +9,9 @@ namespace cam_limit_parts {
 
 Limits::Limits(const Scene& scene, const CamVariables& variables)
     : scene_(scene), variables_(std::make_shared<const CamVariables>(variables)) {
-    active_.reserve(variables.variables.size());
-    for (const CamVariables::Variable& variable : variables.variables) active_.push_back(variable.dimension);
+    active_.reserve(variables.own_variables);
+    for (std::size_t k = 0; k < variables.own_variables; ++k)
+        active_.push_back(variables.variables[k].dimension);
 }
 
 double Limits::roller(int station) const {

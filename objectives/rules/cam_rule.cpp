@@ -7,10 +7,15 @@ namespace camopt {
 
 namespace {
 
+/// Of the variables, those that a formula depends on: the first ones.
+std::size_t count_of(const CamFormula& formula, const CamVariables& cam) {
+    return formula.of_loads ? cam.variables.size() : cam.own_variables;
+}
+
 RuleData data_of(const CamFormula& formula, const CamVariables& cam) {
     RuleData data = static_cast<const RuleData&>(formula);
-    for (const CamVariables::Variable& variable : cam.variables)
-        data.parameters.push_back(variable.parameter);
+    for (std::size_t k = 0; k < count_of(formula, cam); ++k)
+        data.parameters.push_back(cam.variables[k].parameter);
     return data;
 }
 
@@ -18,8 +23,9 @@ RuleData data_of(const CamFormula& formula, const CamVariables& cam) {
 
 CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
     : PointRule(data_of(formula, *cam)), cam_(std::move(cam)), formula_(std::move(formula)) {
-    active_.reserve(cam_->variables.size());
-    for (const CamVariables::Variable& variable : cam_->variables) active_.push_back(variable.dimension);
+    const std::size_t count = count_of(formula_, *cam_);
+    active_.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) active_.push_back(cam_->variables[k].dimension);
     if (active_.size() > MechanismValue::most_active)
         throw ModelError(fmt::format("cam: found {} dimensions that are ranges; allowed: at most {}",
                                      active_.size(), MechanismValue::most_active));
@@ -96,7 +102,7 @@ RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) 
     ++*cam_->profile_points;
     const std::vector<double> dimensions = cam_->dimensions_for(q);
     const MechanismState state{dimensions, state_of(point, cam_->scale), cam_->scale.unit_angle * point.x};
-    return normalised(formula_.value({*cam_->cam.formulas, state, active_}));
+    return normalised(formula_.value({*cam_->cam.formulas, state, active_, cam_->own_variables}));
 }
 
 }  // namespace camopt

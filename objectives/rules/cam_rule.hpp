@@ -18,9 +18,16 @@ struct CamCall {
     const CamMechanism& cam;
     MechanismState state;
     std::span<const int> active;
+    std::size_t own;  ///< of the active ones: dimensions of the cam; numbers of its spring follow
 
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, int station) const {
-        return cam.quantity(which, state, station, active);
+        MechanismValue found =
+            cam.quantity(which, state, station, active.first(std::min(own, active.size())));
+        if (own >= active.size()) return found;
+        const auto size = static_cast<Eigen::Index>(3 + active.size());
+        found.gradient.conservativeResizeLike(MechanismValue::Gradient::Zero(size));
+        found.hessian.conservativeResizeLike(MechanismValue::Hessian::Zero(size, size));
+        return found;
     }
     [[nodiscard]] MechanismValue displacement() const { return variable(state.output.s, 0); }
     [[nodiscard]] MechanismValue velocity() const { return variable(state.output.velocity, 1); }
@@ -31,7 +38,7 @@ struct CamCall {
         angle.by_angle = 1.0;
         return angle;
     }
-    /// One of the cam's dimensions.
+    /// One of the cam's dimensions, or a number of its spring (CamVariables::spring).
     [[nodiscard]] MechanismValue dimension(int index) const {
         const auto place = std::ranges::find(active, index) - active.begin();
         const bool moves = place < static_cast<std::ptrdiff_t>(active.size());
@@ -127,6 +134,7 @@ struct CamFormula : RuleData {
     std::function<std::optional<RangeAlong>(const CamCallAlong&)> along = {};
     /// Over all s from `least` to `most`; none: general.
     std::function<Curvature(double least, double most)> shape = {};
+    bool of_loads = false;                     ///< it depends on the numbers of the spring, too
     Interval slopes = Interval::everything();  ///< of s' by the cam angle: the admissible range
 };
 

@@ -136,8 +136,7 @@ Json segments_json(const Solution& solution) {
 Json dimensions_json(const Solution& solution) {
     Json json = Json::object();
     for (const DimensionValue& dimension : cam_dimensions(solution))
-        json[dimension.name + (dimension.is_angle ? degrees_shown : millimetres_shown).suffix] =
-            number_json(dimension.shown);
+        json[dimension.name + dimension.unit.suffix] = number_json(dimension.shown);
     return json;
 }
 

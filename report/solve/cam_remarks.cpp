@@ -45,16 +45,25 @@ std::string dimensions_at_their_ends(const Solution& solution) {
     if (solution.cam->cam.formulas->direct() == nullptr) return {};
     const CamSpec& cam = solution.scene.cam.value();
     std::string text;
+    const auto add = [&](std::string_view name, double value, double least, double most) {
+        const double near = at_end_of_range * (most - least);
+        const bool low = value <= least + near, high = value >= most - near;
+        if (low || high)
+            append_item(text,
+                        fmt::format("the {} is the {} allowed", words_of(name), low ? "least" : "largest"));
+    };
     for (std::size_t i = 0; i < cam.dimensions.size(); ++i) {
         const Dimension& range = cam.dimensions[i].value;
-        if (!range.is_variable()) continue;
-        const double value = solution.cam->cam.dimensions[i],
-                     near = at_end_of_range * (range.high - range.low);
-        const bool low = value <= range.low + near, high = value >= range.high - near;
-        if (low || high)
-            append_item(text, fmt::format("the {} is the {} allowed", words_of(cam.dimensions[i].name),
-                                          low ? "least" : "largest"));
+        if (range.is_variable())
+            add(cam.dimensions[i].name, solution.cam->cam.dimensions[i], range.low, range.high);
     }
+    for (const SpringNumber& number : spring_numbers)
+        if (const std::optional<ForceSpec>& forces = solution.scene.forces;
+            forces && (*forces).*number.range) {
+            const auto [least, most] = *((*forces).*number.range);
+            add(std::string_view(number.key).substr(std::string_view("forces.").size()),
+                (*forces).*number.number, least, most);
+        }
     return text;
 }
 

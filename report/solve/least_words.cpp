@@ -30,10 +30,11 @@ std::string because(const LeastReport& least) {
 /// What is known beyond the value.
 std::string claim(const LeastReport& least, const std::string& unit) {
     const char* const beyond = least.largest ? "above" : "below";
-    if (!least.impossible)
-        return least.verdict == Verdict::optimal
-                   ? "the end of its range"
-                   : fmt::format("as far as the search found; {} it motions may exist", beyond);
+    if (!least.impossible) {
+        if (least.verdict == Verdict::optimal) return "the end of its range";
+        if (least.verdict == Verdict::feasible) return "practically 0, where its range ends";
+        return fmt::format("as far as the search found; {} it motions may exist", beyond);
+    }
     std::string at_it = fmt::format("at {} it is proved that no motion exists{}",
                                     number_of(*least.impossible, unit), because(least));
     if (least.verdict == Verdict::optimal) return at_it;

@@ -100,11 +100,13 @@ Table dimension_table(const Solution& solution) {
                 cam_text(spec) + "."};
     for (const DimensionValue& dimension : cam_dimensions(solution)) {
         const auto found = std::ranges::find(spec.dimensions, dimension.name, &CamDimension::name);
-        const bool given = found != spec.dimensions.end();
+        const bool of_spring = dimension.name == "preload" || dimension.name == "spring_rate";
+        const bool own = found != spec.dimensions.end();
+        const bool chosen = of_spring || (own && found->value.is_variable());
         table.rows.push_back({words_of(dimension.name), dimension.text,
-                              !given                       ? "follows"
-                              : found->value.is_variable() ? "chosen by the optimizer"
-                                                           : "given"});
+                              chosen ? "chosen by the optimizer"
+                              : own  ? "given"
+                                     : "follows"});
     }
     return table;
 }

@@ -137,6 +137,7 @@ struct LoadRow {
     std::optional<LimitedFigure> limit;
     int outside = 1;
     bool magnitude = false;
+    std::optional<LimitedFigure> other = {};  ///< of the other side
 };
 
 Curve load_curve(const View& view, LoadRow load) {
@@ -145,6 +146,9 @@ Curve load_curve(const View& view, LoadRow load) {
         curve.values.push_back(curve.unit.of(load.value(*row.loads)));
     for (const std::optional<CamExtreme>& extreme : load.extremes)
         if (extreme) add_mark(curve, view, extreme, load.magnitude ? sign_at(curve, view, extreme->at) : 1.0);
+    if (load.other)
+        if (const auto& limit = limit_on(view.solution.scene.limits, *load.other))
+            add_limit(curve, view, limit->value, -load.outside, "limit " + curve.unit.text(limit->value));
     if (!load.limit) return curve;
     const std::optional<WrittenLimit>& limit = limit_on(view.solution.scene.limits, *load.limit);
     if (!limit) return curve;
@@ -166,7 +170,9 @@ void add_loads(std::vector<Curve>& all, const View& view) {
                [](const FollowerLoads& one) { return one.force; },
                {summary->largest_force, summary->least_force},
                LimitedFigure::contact_force,
-               -1}));
+               -1,
+               false,
+               LimitedFigure::contact_force_most}));
     all.push_back(load_curve(
         view, {{"torque", "forces", "Camshaft torque, > 0: the shaft drives", "T", view.units.torque},
                [](const FollowerLoads& one) { return one.torque; },

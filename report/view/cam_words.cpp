@@ -112,6 +112,22 @@ bool leans_alike(const CamSummary& summary) {
     return summary.sides.front().pressure_angle.value == summary.sides.back().pressure_angle.value;
 }
 
+void add_chosen_spring(std::vector<DimensionValue>& all, const Solution& solution, const ShownUnits& units) {
+    const std::optional<ForceSpec>& forces = solution.scene.forces;
+    if (!forces) return;
+    const ShownUnits files = file_units(solution.scene);
+    const auto add = [&](const char* name, double number, bool is_range, const ShownUnit& file,
+                         const ShownUnit& people) {
+        if (!is_range) return;
+        const bool found = solution.motion != nullptr;
+        all.push_back({name, file, found ? std::optional(file.of(number)) : std::nullopt,
+                       found ? people.text(number) : "free"});
+    };
+    add("preload", forces->preload, forces->preload_range.has_value(), files.load, units.load);
+    add("spring_rate", forces->spring_rate, forces->spring_rate_range.has_value(), files.spring_rate,
+        units.spring_rate);
+}
+
 }  // namespace
 
 std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
@@ -124,15 +140,17 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
         std::optional<double> number;
         if (!dimension.value.is_variable()) number = dimension.value.low;
         if (solution.cam) number = solution.cam->cam.dimensions[i];
-        if (number) number = (dimension.is_angle ? degrees_shown : millimetres_shown).of(*number);
-        all.push_back({dimension.name, dimension.is_angle, number});
+        const ShownUnit unit = dimension.is_angle ? degrees_shown : millimetres_shown;
+        all.push_back({dimension.name, unit, number ? std::optional(unit.of(*number)) : number});
     }
-    if (cam->formulas()->base_radius_index() >= 0) all.push_back({"prime_radius", false, prime_radius(all)});
-    const ShownUnit length = shown_units(solution.scene).length;
-    for (DimensionValue& one : all)
-        one.text = !one.shown     ? "free"
-                   : one.is_angle ? degrees_shown.text(*one.shown * degrees_shown.size)
-                                  : length.text(*one.shown * millimetres_shown.size);
+    if (cam->formulas()->base_radius_index() >= 0)
+        all.push_back({"prime_radius", millimetres_shown, prime_radius(all)});
+    const ShownUnits units = shown_units(solution.scene);
+    for (DimensionValue& one : all) {
+        const ShownUnit& people = one.unit.suffix == degrees_shown.suffix ? degrees_shown : units.length;
+        one.text = one.shown ? people.text(*one.shown * one.unit.size) : "free";
+    }
+    add_chosen_spring(all, solution, units);
     return all;
 }
 

@@ -7,15 +7,16 @@
 
 namespace camopt {
 
-/// Name and value of a dimension as files show it: mm, or deg.
+/// Name and value of a dimension as files show it: mm, or deg; of a spring N, N/mm.
 struct DimensionValue {
-    std::string name;  ///< "base_radius"
-    bool is_angle = false;
+    std::string name;             ///< "base_radius"
+    ShownUnit unit;               ///< of files
     std::optional<double> shown;  ///< none: free, and nothing was delivered
     std::string text = {};        ///< as people read it: "30 mm", "1.2 in", "free"
 };
 
-/// The dimensions this cam has, of a disk cam then the prime radius (base + roller). None without a cam.
+/// The dimensions this cam has, of a disk cam then the prime radius (base + roller), and of its spring the
+/// numbers that are ranges. None without a cam.
 [[nodiscard]] std::vector<DimensionValue> cam_dimensions(const Solution& solution);
 
 /// "translating roller, the cam turning counterclockwise", "remote cam with lever-coupler-slider, turning

@@ -2,6 +2,7 @@
 #include "report/view/key_words.hpp"
 
 #include "report/view/number_text.hpp"
+#include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "scene/part_names.hpp"
 #include "studies/search/plan.hpp"
@@ -66,9 +67,15 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
         found.unit = unit->sign;
         key.remove_suffix(unit->suffix.size());
     }
-    for (const std::string_view bound : bounds)
-        if (key.ends_with(bound)) key.remove_suffix(bound.size());
-    found.words = fmt::format("{}{}", end_of_range, words_of(key));
+    std::string_view side = end_of_range;
+    for (const std::string_view bound : bounds) {
+        if (!key.ends_with(bound)) continue;
+        key.remove_suffix(bound.size());
+        // Of a figure that both sides may be limited of the words tell which.
+        if (bound == bounds[1] && limit_named(fmt::format("{}{}", key, bounds[0])) != nullptr)
+            side = "largest ";
+    }
+    found.words = fmt::format("{}{}", side, words_of(key));
     for (const std::string end : {"start", "end"})  // a state there
         if (key.starts_with(end + "."))
             found.words = fmt::format("{} at the {}", words_of(key.substr(end.size() + 1)), end);

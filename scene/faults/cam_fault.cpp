@@ -66,6 +66,16 @@ Fault force_fault(const Scene& scene) {
     if (!scene.cam) return SceneFault{"forces", "forces without a cam", "only together with a [cam] table"};
     if (!scene.motion.speed)
         return SceneFault{"forces", "forces without a speed", "only where motion.speed is given"};
+    for (const SpringNumber& number : spring_numbers) {
+        const auto& range = (*scene.forces).*number.range;
+        if (range && !((*range)[0] < (*range)[1]))
+            return SceneFault{number.key, fmt::format("{} to {}", (*range)[0], (*range)[1]),
+                              "a range { min, max } with min < max, or a number"};
+        if (range && !limits_spring(scene.limits))
+            return SceneFault{number.key, "a range without a limit on loads",
+                              "a number, or a range together with a limit on contact force, torque or Hertz "
+                              "pressure: nothing else depends on the spring"};
+    }
     if (scene.cam->face_radius && scene.cam->face_half_width == 0.0)
         return SceneFault{"cam.face_radius", fmt::format("{} m", *scene.cam->face_radius),
                           "more than half of forces.contact_width, which lies on the round face"};

@@ -35,6 +35,25 @@ KeyPlace of_stage(Member member) {
     return stored_in(&Scene::dynamics, &DynamicsSpec::stages, each, member);
 }
 
+/// A number, or the range that it is chosen from.
+KeyPlace chosen_place(double ForceSpec::*number, std::optional<std::array<double, 2>> ForceSpec::*range) {
+    const KeyPlace one = stored_in(&Scene::forces, number);
+    KeyPlace place = one;
+    place.assign = [=](Scene& scene, const KeyValue& value, const KeyAt& at) {
+        const auto* const both = std::get_if<KeyBounds>(&value);
+        one.assign(scene, both != nullptr ? KeyValue(0.5 * (*both->least + *both->most)) : value, at);
+        auto& own = scene.forces.value().*range;
+        own.reset();
+        if (both != nullptr) own = {*both->least, *both->most};
+    };
+    place.value = [=](const Scene& scene, const KeyAt& at) -> std::optional<KeyValue> {
+        if (!scene.forces || !((*scene.forces).*range)) return one.value(scene, at);
+        const std::array<double, 2>& both = *((*scene.forces).*range);
+        return KeyBounds{both[0], both[1]};
+    };
+    return place;
+}
+
 /// c = 2 ζ √(k m).
 KeyPlace stage_damping_place() {
     KeyPlace place = of_stage(&TrainStage::damping);
@@ -54,12 +73,14 @@ Rows forces() {
         {"forces", "inertia", number, inertia, not_negative, {}, "0",
          "Moment of inertia about the pivot; oscillating followers.",
          stored_in(&Scene::forces, &ForceSpec::mass), Availability::now, "mass"},
-        {"forces", "spring_rate", number, spring_rate, not_negative, {}, "0",
-         "Rate of the return spring: per length for translating, per angle for oscillating followers.",
-         stored_in(&Scene::forces, &ForceSpec::spring_rate)},
-        {"forces", "preload", number, force_or_moment, any, {}, "0",
+        {"forces", "spring_rate", number_or_range, spring_rate, not_negative, {}, "0",
+         "Rate of the return spring: per length for translating, per angle for oscillating followers. A range: the optimizer "
+         "chooses it for the limits on loads.",
+         chosen_place(&ForceSpec::spring_rate, &ForceSpec::spring_rate_range)},
+        {"forces", "preload", number_or_range, force_or_moment, any, {}, "0",
          "Force (translating) or moment (oscillating) that presses the follower against the cam at displacement 0, "
-         "at rest: spring, weight, load.", stored_in(&Scene::forces, &ForceSpec::preload)},
+         "at rest: spring, weight, load. A range: the optimizer chooses it.",
+         chosen_place(&ForceSpec::preload, &ForceSpec::preload_range)},
         {"forces", "damping", number, damper, not_negative, {}, "0",
          "Viscous damping of the follower: force by its velocity, moment by its angular velocity.",
          stored_in(&Scene::forces, &ForceSpec::damping)},

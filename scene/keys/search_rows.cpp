@@ -85,6 +85,21 @@ Availability needs_of(const ResponseTerm& term) {
                                  : Availability::now;
 }
 
+/// objective.least, objective.largest: one of both, one member.
+KeyPlace sought_place(bool largest) {
+    KeyPlace place;
+    place.assign = [largest](Scene& scene, const KeyValue& value, const KeyAt&) {
+        const auto& key = std::get<std::string>(value);
+        scene.objective.sought = key.empty() ? std::nullopt : std::optional(SoughtKey{key, largest});
+    };
+    place.value = [largest](const Scene& scene, const KeyAt&) -> std::optional<KeyValue> {
+        const std::optional<SoughtKey>& sought = scene.objective.sought;
+        if (!sought || sought->largest != largest) return std::nullopt;
+        return sought->key;
+    };
+    return place;
+}
+
 Rows objective() {
     Rows rows;
     for (const CostTerm* term : listed_terms())
@@ -100,10 +115,10 @@ Rows objective() {
     rows.push_back(called("least value of a number", {"objective", "least", text, plain, any, {}, "none",
         "A key, such as `\"limits.pressure_angle_deg\"`: its least value for which motions exist is found and proved; the weights "
         "then choose among these motions. Any cap of [limits], given or not, and other numbers of the scene.",
-        stored_in(&Scene::objective, &ObjectiveSpec::least)}));
+        sought_place(false)}));
     rows.push_back(called("largest value of a number", {"objective", "largest", text, plain, any, {}, "none",
         "The same for what is better large: `\"limits.cam_radius_min_mm\"`, `\"motion.speed_rpm\"`.",
-        stored_in(&Scene::objective, &ObjectiveSpec::largest), Availability::now, "least"}));
+        sought_place(true), Availability::now, "least"}));
     rows.push_back({"objective", "least_gap", number, plain, Range::between(1e-7, 0.1), {}, "1e-4",
         "Relative distance between the value found and the value at which no motion exists.",
         stored_in(&Scene::objective, &ObjectiveSpec::least_gap)});

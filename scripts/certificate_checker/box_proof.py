@@ -81,10 +81,12 @@ class BoxProof:
 
     def check_holds(self, result):
         """The file's box is said to hold every better motion: the delivered one lies in it."""
+        searched = self.problem.cam.searched if self.problem.cam else {}
         for name, value in zip(result["design"]["names"], result["design"]["values"]):
             if name in self.proof["variables"]:
                 low, high = self.stated_box[self.proof["variables"].index(name)]
-                if not low - STATED * 1000 <= number(value) <= high + STATED * 1000:
+                value = number(value) / (largest_of(searched[name]) if name in searched else 1)
+                if not low - STATED * 1000 <= value <= high + STATED * 1000:
                     raise Refuted(f"the box of {name} does not hold the delivered motion")
 
     # -- the variables

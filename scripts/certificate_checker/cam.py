@@ -46,6 +46,11 @@ class Cam:
             return self.be_other(scene, result, weights)
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
         given = {name: dimension_of(cam, name) for name in DIMENSIONS[self.follower]}
+        self.forces = Forces(problem, scene) if "forces" in scene else None
+        spring = {name: self.forces.ranges[name] for name in ("forces.preload", "forces.spring_rate") if name in self.forces.ranges} \
+            if self.forces else {}
+        given |= spring
+        weights |= dict.fromkeys(spring, Fraction(0))
         self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
         unit = self.lift
         if self.swings:  # times the centre distance, the middle of its range
@@ -56,7 +61,6 @@ class Cam:
                          Fraction(0))
         self.cost = exactly(self.fixed + sum((self.weights[name] * abs(self.sizes[name]) for name in self.searched
                                               if self.sizes[name] is not None), Fraction(0)))
-        self.forces = Forces(problem, scene) if "forces" in scene else None
         if any(key.startswith("spring_harmonic_") for key in problem.limits):
             problem.harmonics = Harmonics(problem, scene)
         self.beta = enclosed(problem.unit_angle)
@@ -116,7 +120,9 @@ class Cam:
         """What was found of the dimensions that are searched, m or rad (None: nothing)."""
         if not result.get("cam"):
             return dict.fromkeys(self.searched)
-        found = {name: number(result["cam"]["dimensions"][f"{name}_{'m' if units[name] == 'm' else 'rad'}"]) for name in self.searched}
+        design = dict(zip(result["design"]["names"], result["design"]["values"]))
+        found = {name: number(design[name] if name.startswith("forces.") else
+                              result["cam"]["dimensions"][f"{name}_{'m' if units[name] == 'm' else 'rad'}"]) for name in self.searched}
         for name, (low, high) in self.searched.items():
             size, room = found[name] if units[name] == "m" else in_unit((found[name], "rad"), units[name]), STATED * largest_of((low, high))
             if not low - room <= size <= high + room:

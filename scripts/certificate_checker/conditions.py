@@ -5,6 +5,10 @@ from .exact import STATED, add_to, number
 from .rational import Fraction
 
 
+REST, AT_LIMIT = "rest between strokes of one direction", "a set point at a limit"
+IMPLIED = REST, AT_LIMIT  # these follow from inequalities alone; camopt leaves them out where a spline has little freedom
+
+
 class Conditions:
     """The conditions of a run solved for as many control points: each is then a function of the others. Redundant ones
     drop out, and so does what differs from others by rounding (camopt leaves it out too, and no bound is the worse for it);

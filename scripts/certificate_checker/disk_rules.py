@@ -16,7 +16,7 @@ from .rational import Fraction
 from .units import dimension_of, enclosed
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
-LOADED = "contact_force_min_n", "torque_max_nm", "hertz_pressure_max_mpa"
+LOADED = "contact_force_min_n", "contact_force_max_n", "torque_max_nm", "hertz_pressure_max_mpa"
 TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length
 
 
@@ -155,6 +155,8 @@ class DiskRules:
             return [self.torque(sign, corner) for corner in corners for sign in (1, -1)]
         if name == "contact_force_min_n":
             return [self.contact(corner) for corner in corners]
+        if name == "contact_force_max_n":
+            return [self.largest_force(corner) for corner in corners]
         found = [self.hertz(number(self.limits[name]) * 10**6, corner) for corner in corners]
         return [rule for rule in found if rule]
 
@@ -253,14 +255,22 @@ class DiskRules:
     def force(self, numbers, corner):
         """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment, at that angle."""
         own, (square, speed) = Forces(self.problem, self.problem.scene), corner
+        sizes = self.sizes(numbers)
+        preload, rate = (sizes.get(name) or constant(number) for name, number in
+                         (("forces.preload", own.preload), ("forces.spring_rate", own.rate)))
         return numbers[2] * constant(own.mass * square * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
-            numbers[0] * constant(own.rate * own.lift) + constant(own.preload) + self.load
+            rate * numbers[0] * constant(own.lift) + preload + self.load
 
     def contact(self, corner):
         """F >= least."""
         forces = Forces(self.problem, self.problem.scene)
         inverse = constant(1 / forces.unit(self.problem))
         return lambda numbers: (constant(forces.least) - self.force(numbers, corner)) * inverse - self.room
+
+    def largest_force(self, corner):
+        """F <= most on the side that it presses on."""
+        most = number(self.limits["contact_force_max_n"])
+        return lambda numbers: self.force(numbers, corner) * constant(self.side.pressed / most) - constant(1) - self.room
 
     def hertz(self, most, corner):
         """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller

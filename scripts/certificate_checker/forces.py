@@ -13,8 +13,9 @@ class Forces:
 
     def __init__(self, problem, scene):
         given = scene.get("forces", {})
-        self.mass, self.rate, self.preload, self.damping = (
-            number(given.get(name, 0)) for name in ("mass_kg", "spring_rate_n_m", "preload_n", "damping_n_s_m"))
+        self.ranges = {}  # of what is searched, the key without its unit: (lowest, highest), N or N/m
+        self.mass, self.damping = (number(given.get(name, 0)) for name in ("mass_kg", "damping_n_s_m"))
+        self.rate, self.preload = (self.of_spring(given, key, unit) for key, unit in (("spring_rate", "n_m"), ("preload", "n")))
         self.least = number(problem.limits.get("contact_force_min_n", 0))
         self.lift = in_unit(problem.lift, "rad")
         self.end = problem.stretches[-1].end * problem.copies
@@ -22,6 +23,14 @@ class Forces:
         self.turn = self.points[-1][0] - self.points[0][0]
         self.corners = self.corners_of(problem, given)
         self.rpm = float(problem.motion.get("speed_rpm") or float(problem.motion.get("speed_rad_s", 0)) * 30 / math.pi)
+
+    def of_spring(self, given, key, unit):
+        """A number; of a range its middle."""
+        value = given.get(f"{key}_{unit}", 0)
+        if not isinstance(value, dict):
+            return number(value)
+        self.ranges[f"forces.{key}"] = ends = number(value["min"]), number(value["max"])
+        return sum(ends) / 2
 
     @staticmethod
     def points_of(problem, given):
@@ -40,7 +49,8 @@ class Forces:
         own = problem.turns_per_second()
         if not self.mass and not self.damping:
             return [(own**2, own)]
-        presses = self.rate > 0 or self.preload > 0
+        presses = any(self.ranges.get(f"forces.{key}", (0, number))[1] > 0 for key, number in
+                      (("spring_rate", self.rate), ("preload", self.preload)))
         shares = [Fraction(0) if presses and "hertz_pressure_max_mpa" in problem.limits else Fraction(1), Fraction(1)]
         for unit in ("rpm", "rad_s"):
             if f"speed_range_{unit}" in given:

@@ -8,7 +8,8 @@ KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset", "motor_torque",
                "motor_torque_rms", "deviation", "deviation_rms"}
 KNOWN_LIMITS = ("velocity", "acceleration", "jerk", "pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",
-                "concave_radius_min", "undercut_margin", "contact_force_min", "contact_moment_min", "torque_max", "hertz_pressure_max",
+                "concave_radius_min", "undercut_margin", "contact_force_min", "contact_moment_min", "contact_force_max",
+                "contact_moment_max", "torque_max", "hertz_pressure_max",
                 "residual", "spring_harmonic", "dynamic_contact_force_min", "motor_torque", "motor_torque_rms", "motor_speed", "motor_curve")
 
 

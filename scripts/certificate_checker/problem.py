@@ -2,6 +2,7 @@
 """The problem, from the scene alone."""
 import itertools
 
+from .conditions import AT_LIMIT, REST
 from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
 from .laws import REVERSED, ends_of_law, polynomial_between, turns_back
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
@@ -168,7 +169,7 @@ class Problem:
         for at in turning_points(self, stretch, self.motion.get("via", []), Fraction(0), Fraction(1)):
             run.demand(at, 1, "right", Fraction(0), "turning point")
         for at, order in points_at_limits(self, stretch, self.motion.get("via", []), Fraction(0), Fraction(1)):
-            run.demand(at, order, "right", Fraction(0), "a set point at a limit")
+            run.demand(at, order, "right", Fraction(0), AT_LIMIT)
 
     def state_at_end(self, at_end):
         """y' and y'' where a motion that is not closed starts or ends: what is asked, or that of a region there; else rest."""
@@ -400,14 +401,14 @@ class Problem:
             if self.turns_back(segments, i, following):
                 run.demand(run.begin_of(self.stretches[following]), 1, "right", Fraction(0), "turning point")
             if self.rests_between(segments, i, following):
-                run.demand(run.begin_of(self.stretches[following]), 2, "right", Fraction(0), "rest between strokes of one direction")
+                run.demand(run.begin_of(self.stretches[following]), 2, "right", Fraction(0), REST)
         self.end_jerk(run)
         for i, own in zip(group, stretches):
             self.set_points(run, segments[i].get("via", []), own, own.end - own.begin)
             for at in turning_points(self, own, segments[i].get("via", []), own.begin, own.end - own.begin):
                 run.demand(at + run.begin_of(own) - own.begin, 1, "right", Fraction(0), "turning point")
             for at, order in points_at_limits(self, own, segments[i].get("via", []), own.begin, own.end - own.begin):
-                run.demand(at + run.begin_of(own) - own.begin, order, "right", Fraction(0), "a set point at a limit")
+                run.demand(at + run.begin_of(own) - own.begin, order, "right", Fraction(0), AT_LIMIT)
             if "end" in segments[i]:
                 self.set_points(run, [segments[i]["end"] | {"at": 1}], own, own.end - own.begin)
         self.runs.append(run)

@@ -21,6 +21,7 @@ TRAIN = MASSES + [("damping_n_s_m", "damping", DAMPING), ("preload_n", "preload"
 SPELLINGS = {
     "limits": [(f"{side}pressure_angle_deg", f"{side}pressure_angle", {"rad": RADIAN}) for side in ("", "rise_", "return_")] +
               [("contact_force_min_n", "contact_force_min", FORCE), ("contact_force_min_n", "contact_moment_min", MOMENTS),
+               ("contact_force_max_n", "contact_force_max", FORCE), ("contact_force_max_n", "contact_moment_max", MOMENTS),
                ("torque_max_nm", "torque_max", MOMENTS), ("hertz_pressure_max_mpa", "hertz_pressure_max", PRESSURES),
                ("residual_mm", "residual", {"um": Fraction(1, 1000)}), ("spring_harmonic_mm", "spring_harmonic", {"um": Fraction(1, 1000)}),
                ("dynamic_contact_force_min_n", "dynamic_contact_force_min", FORCE | MOMENTS)],
@@ -35,7 +36,9 @@ KNOWN_KEYS = {table: {f"{name}_{unit}": (known, Fraction(size)) for known, name,
 
 
 def scaled(value, size):
-    """Of a number, of a list of numbers, or of pairs (an angle, a number)."""
+    """Of a number, of a range, of a list of numbers, or of pairs (an angle, a number)."""
+    if isinstance(value, dict):
+        return {end: number(v) * size for end, v in value.items()}
     if isinstance(value, list):
         return [[v[0], number(v[1]) * size] if isinstance(v, list) else number(v) * size for v in value]
     return number(value) * size

@@ -12,6 +12,7 @@
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/laws/law_motion.hpp"
+#include "studies/least/feasible_edge.hpp"
 #include "studies/least/least_value.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,6 @@ constexpr int bounded_steps = 400;
 constexpr double rule_tolerance = 1e-11;
 // The radius is found to this part of itself.
 constexpr double accuracy = 1e-12;
-constexpr int most_bisections = 100;
 // Places between two breakpoints where the displacement is looked at.
 constexpr int range_samples = 32;
 
@@ -43,12 +43,9 @@ class Judge {
 
     /// Empty: every limit is satisfied with this base radius; else what is not.
     [[nodiscard]] std::string broken_at(double base) {
-        CamVariables variables;
-        variables.cam = cam_;
-        variables.cam.dimensions[static_cast<std::size_t>(cam_.formulas->base_radius_index())] = base;
+        const CamVariables variables = with_base(base);
         std::string fault = cam_.formulas->fault(variables.cam.dimensions, least_, most_);
         if (!fault.empty()) return fault;
-        variables.scale = {scene_.motion.lift, scene_.motion.unit_angle()};
         const auto rules = cam_limits(scene_, variables);
         // The rule that spoke the last time is likely to speak again.
         if (last_ < rules.size() && is_broken(*rules[last_])) return rules[last_]->name();
@@ -59,12 +56,28 @@ class Judge {
         }
         return {};
     }
+    /// By how much the limits are violated with it at most, each by its scale: > 0 where one is broken.
+    [[nodiscard]] double violation_at(double base) const {
+        const CamVariables variables = with_base(base);
+        if (!cam_.formulas->fault(variables.cam.dimensions, least_, most_).empty()) return infinity;
+        double worst = -infinity;
+        for (const auto& rule : cam_limits(scene_, variables)) worst = std::max(worst, violation_of(*rule));
+        return worst;
+    }
 
  private:
-    [[nodiscard]] bool is_broken(const PointRule& rule) const {
-        const double largest = largest_of(rule_maxima(rule, motion_, Eigen::VectorXd())).value;
-        return !(largest <= rule_tolerance * rule.scale());
+    [[nodiscard]] CamVariables with_base(double base) const {
+        CamVariables variables;
+        variables.cam = cam_;
+        variables.cam.dimensions[static_cast<std::size_t>(cam_.formulas->base_radius_index())] = base;
+        variables.scale = {scene_.motion.lift, scene_.motion.unit_angle()};
+        return variables;
     }
+    [[nodiscard]] double violation_of(const PointRule& rule) const {
+        const double largest = largest_of(rule_maxima(rule, motion_, Eigen::VectorXd())).value;
+        return std::isnan(largest) ? infinity : largest / rule.scale() - rule_tolerance;
+    }
+    [[nodiscard]] bool is_broken(const PointRule& rule) const { return violation_of(rule) > 0.0; }
     void find_range() {
         const std::vector<double> points = motion_.breakpoints();
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -298,10 +311,11 @@ NeededBase needed_base(const Scene& scene, const DrivenMechanism& cam, const Mot
             below = radius;
             continue;
         }
-        const Border border = bisected(
-            [&](double value) { return judge.broken_at(value).empty(); }, {radius, below}, most_bisections,
-            [](const Border& at) { return at.with - at.without <= accuracy * at.with; });
-        return {border.with, {}};
+        const ValueSearch search{[&](double value) { return judge.violation_at(value); }};
+        ValueTrial outside = search.at(below);
+        if (outside.feasible()) outside.violation = infinity;  // no cam at all, before the first radius
+        const ValueBracket edge = closed_in(search, {search.at(radius), outside}, accuracy * radius);
+        return {edge.inside.value, {}};
     }
     return {std::nullopt, broken};
 }
@@ -325,8 +339,10 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
     Comparison comparison;
     comparison.optimum = solve_asked(complete, control);
     const Solution& solution = comparison.optimum;
-    // The laws get the optimum's angles, and the number that was found for it.
-    if (searches_angles(complete) || solution.least) complete = solution.scene;
+    // The laws get the optimum's angles and spring, and the number that was found for it.
+    const bool chosen = complete.forces && complete.forces->is_chosen();
+    if (searches_angles(complete) || solution.least || chosen) complete = solution.scene;
+    if (chosen) complete.forces->fix();
     const Bench bench = bench_of(complete, solution);
     comparison.cam = bench.cam;
     std::optional<double> optimum;

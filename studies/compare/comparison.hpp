@@ -17,8 +17,9 @@ namespace camopt {
 // The limits are the rules the optimizer keeps (objectives/rules/cam_limits.hpp), judged by their continuous
 // maxima along the motion. From the smallest cam that can be built upwards, radii are tried in steps (ten a
 // decade of the distance from that smallest; where the mechanism allows no larger ones than some radius,
-// 1/400 of what it allows); the first that satisfies all limits is bisected against its forerunner. A radius
-// that helps only within one step, between two that do not, may be missed.
+// 1/400 of what it allows); between the first that satisfies all limits and its forerunner the edge is
+// searched (studies/least/feasible_edge.hpp). A radius that helps only within one step, between two that do
+// not, may be missed.
 
 struct NeededBase {
     std::optional<double> radius;  ///< m; none: no base radius helps

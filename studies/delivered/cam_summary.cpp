@@ -353,6 +353,13 @@ void add_limited(SideSummary& side) {
     at(side.limited, hertz_pressure) = side.hertz_pressure;
 }
 
+/// Of the force on the cam; where both sides carry, of its magnitude.
+CamExtreme largest_load(const ForceSummary& forces, const CamSummary& summary) {
+    const CamExtreme &most = forces.largest_force, &least = forces.least_force;
+    if (summary.sides.empty() || most.value >= -least.value) return most;
+    return {-least.value, least.at};
+}
+
 /// What each limit of the scene compares with.
 void add_limited(CamSummary& summary, const LimitSpec& limits) {
     using enum LimitedFigure;
@@ -366,11 +373,13 @@ void add_limited(CamSummary& summary, const LimitSpec& limits) {
     at(all, regularity) = summary.regularity;
     if (const std::optional<ForceSummary>& forces = summary.forces) {
         at(all, contact_force) = forces->least_force;
+        at(all, contact_force_most) = largest_load(*forces, summary);
         at(all, torque) = forces->torque;
         at(all, hertz_pressure) = forces->hertz_pressure;
         for (const auto& [speed, other] : summary.other_loads) {
             if (other.least_force.value < at(all, contact_force)->value)
                 at(all, contact_force) = other.least_force;
+            at(all, contact_force_most) = larger(at(all, contact_force_most), largest_load(other, summary));
             at(all, torque) = larger(at(all, torque), other.torque);
             at(all, hertz_pressure) = larger(at(all, hertz_pressure), other.hertz_pressure);
         }

@@ -161,7 +161,8 @@ std::string speed_of(const LimitRow& limit, const CamExtreme& worst, const CamSu
     if (!limit.needs_forces) return {};
     for (const auto& [speed, loads] : summary.other_loads)
         for (const std::optional<CamExtreme>& own :
-             {std::optional(loads.least_force), std::optional(loads.torque), loads.hertz_pressure})
+             {std::optional(loads.least_force), std::optional(loads.largest_force),
+              std::optional(loads.torque), loads.hertz_pressure})
             if (own && own->value == worst.value) return speed;
     return {};
 }
@@ -227,17 +228,37 @@ void add_to_design(Solution& solution, std::vector<std::string> names, std::span
     design.values = std::move(all);
 }
 
+void set_scene(Solution& solution, Scene scene) {
+    if (scene.forces && solution.scene.forces)
+        for (const SpringNumber& spring : spring_numbers)
+            if ((*scene.forces).*spring.range)
+                (*scene.forces).*spring.number = (*solution.scene.forces).*spring.number;
+    solution.scene = std::move(scene);
+}
+
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
     const CamModel& model = problem.model();
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
     MotionAndCam delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}};
-    if (model.cam) delivered.dimensions = model.cam->dimensions_at(parameters);
+    std::vector<std::string> spring;
+    std::vector<double> chosen;
+    if (model.cam) {
+        delivered.dimensions = model.cam->dimensions_at(parameters);
+        for (std::size_t k = 0; k < spring_numbers.size(); ++k) {
+            if (model.cam->spring[k] < 0) continue;
+            spring.emplace_back(spring_numbers[k].key);
+            chosen.push_back(delivered.dimensions[static_cast<std::size_t>(model.cam->spring[k])]);
+            solution.scene.forces.value().*spring_numbers[k].number = chosen.back();
+        }
+        delivered.dimensions.resize(delivered.dimensions.size() - chosen.size());
+    }
     report_delivered(solution, std::move(delivered));
     const MotionFamily& design = model.design;
     const Eigen::VectorXd values = problem.design_values(x);
     const std::vector<int> reported = design.reported_entries();
     solution.design.values = values(reported);
     for (const int entry : reported) solution.design.names.push_back(design.name(entry));
+    if (!chosen.empty()) add_to_design(solution, std::move(spring), chosen);
 }
 
 void report_conflict(Solution& solution) {

@@ -10,6 +10,10 @@ namespace camopt {
 /// report_delivered of the optimizer's x, and the design.
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x);
 
+/// The scene of a solution that was found for one that poses the same problem: the spring that was chosen
+/// stays.
+void set_scene(Solution& solution, Scene scene);
+
 /// Numbers that were searched too are entries of the design like any other, before the others.
 void add_to_design(Solution& solution, std::vector<std::string> names, std::span<const double> values);
 

@@ -6,7 +6,7 @@
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/explain/value_search.hpp"
+#include "studies/least/feasible_edge.hpp"
 #include "studies/least/monotone.hpp"
 #include "studies/search/planned_solve.hpp"
 
@@ -22,10 +22,12 @@ constexpr double idle_peak = 1e4;
 constexpr double idle_cap = 1e7, idle_pressure = 1e11;
 // A motion that reaches v satisfies a cap of v; this much further off it does so to rounding, too.
 constexpr double reached_room = 1e-6;
-// Values found and proved lie up to half of the gap from the edge: a quarter of it, and a quarter for
+// Values found and proved lie up to half of the gap from the edge: nearly a quarter of it, and as much for
 // rounding to a number that people can read.
-constexpr double part_of_gap = 0.25;
+constexpr double part_of_gap = 0.24;
 constexpr double edge_accuracy = 1e-7;
+// Of the first step: an edge this close to 0 is 0; and a value for people where a number has to be above 0.
+constexpr double zero_part = 1e-6, zero_value = 1e-3;
 // Where a solve at such a value does not end as the search says: this much further off, of the gap.
 constexpr double beyond_gap[] = {1.0, 4.0, 16.0, 100.0, 1000.0};
 // Of a gap, at least: limits are met to the tolerance of the solve.
@@ -127,34 +129,29 @@ double end_of(const Scene& scene, const SoughtNumber& sought) {
     return (sought.largest ? limit.row->range.high : limit.row->range.low) / limit.spelling->factor;
 }
 
-std::vector<Adjustment> all_numbers(const Scene& scene) {
-    std::vector<Adjustment> all = peak_adjustments(scene);
-    for (Adjustment& one : adjustments(scene))
-        if (std::ranges::find(all, one.key, &Adjustment::key) == all.end()) all.push_back(std::move(one));
-    return all;
-}
-
-[[noreturn]] void refuse(const Scene& scene, const std::string& member, const std::string& found,
-                         bool largest) {
+[[noreturn]] void refuse(const Scene& scene, const std::string& found) {
+    const SoughtKey& sought = *scene.objective.sought;
+    const bool largest = sought.largest;
     std::string keys;
-    for (const Adjustment& one : all_numbers(scene)) {
+    for (const Adjustment& one : adjustments(scene)) {
         const LimitKey limit = limit_key(scene, one.key);
-        if (!limit || limit.is_least() == largest) append_item(keys, fmt::format("\"{}\"", one.key));
+        const std::string item = fmt::format("\"{}\"", one.key);
+        const bool wanted = !limit || limit.is_least() == largest;
+        if (wanted && keys.find(item) == std::string::npos) append_item(keys, item);
     }
     const LimitRow& example =
         limit_row(largest ? LimitedFigure::convex_radius : LimitedFigure::pressure_angle);
     throw SceneError(
-        {member, found,
+        {sought.member(), found,
          fmt::format("a limit that is better {} (\"limits.{}\"), or one of this scene's numbers: {}",
                      largest ? "large" : "small", example.first_key(), keys)});
 }
 
 // The search.
 
-/// A value beyond the edge in a direction, rounded to digits that the gap does not need.
+/// A value beyond the edge in a direction, at least so far, with as few digits as twice the distance allows.
 double beyond(double edge, double direction, double distance) {
-    const int decimals = -static_cast<int>(std::floor(std::log10(distance)));
-    return rounded_away(edge + direction * distance, decimals, direction > 0.0);
+    return shortest_decimal(edge + direction * distance, edge + 2.0 * direction * distance);
 }
 
 class LeastSearch {
@@ -198,8 +195,7 @@ class LeastSearch {
     PlanOptions options_;
 
     [[nodiscard]] static Scene plain(Scene scene) {
-        scene.objective.least.clear();
-        scene.objective.largest.clear();
+        scene.objective.sought.reset();
         scene.objective.least_gap = ObjectiveSpec().least_gap;
         return scene;
     }
@@ -207,6 +203,9 @@ class LeastSearch {
     [[nodiscard]] Scene scene_with(double value) const { return sought_.change.with(scene_, value); }
     [[nodiscard]] double size(double value) const { return std::max(std::abs(value), sought_.change.step); }
     [[nodiscard]] double gap() const { return asked_.objective.least_gap; }
+    [[nodiscard]] bool is_zero(double edge) const {
+        return std::abs(edge) <= zero_part * sought_.change.step;
+    }
     /// Of the values found and proved from the edge, which is known to a part of the first step.
     [[nodiscard]] double distance(double edge) const {
         return std::max(part_of_gap * gap() * std::abs(edge), edge_accuracy * sought_.change.step);
@@ -243,7 +242,8 @@ class LeastSearch {
     /// The first step from a figure, which may be 0: a part of it, or of the quantity itself.
     [[nodiscard]] double first_part_of(double worst, const LimitKey& limit, const CamReport* cam) const {
         const double given = std::abs(sought_.change.given);
-        const double least = given > 0.0 ? std::min(1e-9 * given, 1.0) : 1.0;
+        const bool is_angle = limit.row != nullptr && std::isfinite(limit.row->range.high);
+        const double least = given > 0.0 ? std::min((is_angle ? 1e-4 : 1e-9) * given, 1.0) : 1.0;
         const double unit =
             limit.peak != nullptr
                 ? std::abs(one_normalised_peak(scene_.motion, limit.peak->order(), *limit.spelling))
@@ -276,18 +276,25 @@ class LeastSearch {
         return take_back(std::move(solution));
     }
     [[nodiscard]] Solution take_back(Solution solution) const {
-        solution.scene.objective.least = asked_.objective.least;
-        solution.scene.objective.largest = asked_.objective.largest;
+        solution.scene.objective.sought = asked_.objective.sought;
         solution.scene.objective.least_gap = asked_.objective.least_gap;
         return solution;
     }
 
     /// The motion at the edge: the best one by the weights.
     [[nodiscard]] Solution delivered(const FeasibleEdge& edge, LeastReport& report) const {
+        std::vector<double> values;
+        if (is_zero(edge.inside)) {
+            if (!find_fault(scene_with(0.0))) values.push_back(0.0);
+            const double least = zero_value * sought_.change.step;
+            values.push_back(-direction_ * shortest_decimal(least, 2.0 * least));
+        }
+        for (const double further : beyond_gap)
+            values.push_back(edge.outside ? beyond(edge.inside, -direction_, distance(edge.inside) * further)
+                                          : edge.inside);
         Solution best;
-        for (const double further : beyond_gap) {
-            const double away = distance(edge.inside) * further;
-            report.value = edge.outside ? beyond(edge.inside, -direction_, away) : edge.inside;
+        for (const double value : values) {
+            report.value = value;
             say(fmt::format("{} = {:g}: solving", report.key, report.value));
             best = solve_without_explaining(scene_with(report.value), all_.part(motion_part).control(),
                                             nullptr, {.look = options_.look, .explain = options_.explain});
@@ -301,7 +308,9 @@ class LeastSearch {
         const double away = distance(edge.inside);
         const bool at_end =
             edge.at_end || (edge.outside && find_fault(scene_with(beyond(edge.inside, direction_, away))));
-        if (at_end && sought_.monotone) report.verdict = Verdict::optimal;  // no scene has a value beyond
+        if (at_end && sought_.monotone)  // no scene has a value beyond the end
+            report.verdict =
+                is_zero(edge.inside) && report.value != 0.0 ? Verdict::feasible : Verdict::optimal;
         if (!edge.outside || at_end || options_.look) return;
         for (const double further : beyond_gap) {
             const double value = beyond(edge.inside, direction_, away * further);
@@ -327,7 +336,7 @@ class LeastSearch {
 
 std::optional<SoughtNumber> sought_number(const Scene& scene) {
     const ObjectiveSpec& objective = scene.objective;
-    if (!objective.seeks_number()) return std::nullopt;
+    if (!objective.sought) return std::nullopt;
     if (objective.least_gap < tolerances_of_gap * scene.solver.tolerance)
         throw SceneError(
             {"objective.least_gap",
@@ -335,50 +344,43 @@ std::optional<SoughtNumber> sought_number(const Scene& scene) {
              fmt::format("{:g} or more: a limit is met to the tolerance, and the two values have to differ "
                          "by more",
                          tolerances_of_gap * scene.solver.tolerance)});
+    const auto& [key, largest] = *objective.sought;
     SoughtNumber sought;
-    sought.largest = objective.least.empty();
-    const std::string& key = sought.largest ? objective.largest : objective.least;
-    const std::string member = sought.largest ? "objective.largest" : "objective.least";
+    sought.largest = largest;
     const LimitKey limit = limit_key(scene, key);
-    if (limit && limit.is_least() != sought.largest)
-        refuse(scene, member,
-               fmt::format("\"{}\", a {}", key, limit.is_least() ? "least value" : "largest value"),
-               sought.largest);
-    const std::vector<Adjustment> all = all_numbers(scene);
+    if (limit && limit.is_least() != largest)
+        refuse(scene, fmt::format("\"{}\", a {}", key, limit.is_least() ? "least value" : "largest value"));
+    const std::vector<Adjustment> all = adjustments(scene);
     if (const auto own = std::ranges::find(all, key, &Adjustment::key); own != all.end()) {
         sought.change = *own;
     } else if (limit && is_excluded(scene, limit)) {
-        refuse(scene, member, fmt::format("\"{}\", together with another limit of this derivative", key),
-               sought.largest);
+        refuse(scene, fmt::format("\"{}\", together with another limit of this derivative", key));
     } else if (limit) {
         const Adjustment absent = absent_limit(scene, key, limit);
         if (const auto fault = find_fault(absent.with(scene, absent.given)))
-            refuse(scene, member,
-                   fmt::format("\"{}\", which this scene cannot have ({}: found {}; allowed: {})", key,
-                               fault->member, fault->found, fault->allowed),
-                   sought.largest);
+            refuse(scene, fmt::format("\"{}\", which this scene cannot have ({}: found {}; allowed: {})", key,
+                                      fault->member, fault->found, fault->allowed));
         sought.change = absent;
     } else {
-        refuse(scene, member, fmt::format("\"{}\"", key), sought.largest);
+        refuse(scene, fmt::format("\"{}\"", key));
     }
-    const Tightens direction = sought.largest ? Tightens::upward : Tightens::downward;
+    const Tightens direction = largest ? Tightens::upward : Tightens::downward;
     sought.monotone = sought.change.limit || tightening_of(scene, key) == direction;
     return sought;
 }
 
 void refuse_sought_number(const Scene& scene, std::string_view study) {
-    const ObjectiveSpec& objective = scene.objective;
-    if (!objective.seeks_number()) return;
-    const bool largest = objective.least.empty();
-    throw InputError(fmt::format(
-        "{}: found objective.{} = \"{}\"; allowed: a scene that seeks no number: solve it first, and take "
-        "scene.toml of its result without that key",
-        study, largest ? "largest" : "least", largest ? objective.largest : objective.least));
+    const std::optional<SoughtKey>& sought = scene.objective.sought;
+    if (!sought) return;
+    throw InputError(
+        fmt::format("{}: found {} = \"{}\"; allowed: a scene that seeks no number: solve it first, and take "
+                    "scene.toml of its result without that key",
+                    study, sought->member(), sought->key));
 }
 
 Solution solve_asked(const Scene& scene, const SolveControl& control, KnownSolutions* known,
                      const PlanOptions& options) {
-    if (!scene.objective.seeks_number()) return solve_without_explaining(scene, control, known, options);
+    if (!scene.objective.sought) return solve_without_explaining(scene, control, known, options);
     const Scene complete = with_written_limits(scene);
     validate(complete);
     if (known != nullptr) known->optima.withdraw();

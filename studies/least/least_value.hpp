@@ -3,7 +3,7 @@
 //
 // For a cap, the values v for which the scene has motions are an interval [v*, ∞); for a least value, such as
 // a radius of the cam, one that ends at v*. v* is closed in on by the least common violation t(v) of the
-// scene with v in place of its own value (value_search.hpp): t(v) <= 0 where there are motions. Then two
+// scene with v in place of its own value (feasible_edge.hpp): t(v) <= 0 where there are motions. Then two
 // scenes are solved, at most `least_gap` of v* apart:
 //
 //     value        beyond v* on the feasible side: its motion is delivered, the best one by the weights;
@@ -14,7 +14,7 @@
 // is scanned and nothing is claimed between the values tried.
 #pragma once
 
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 #include "studies/search/known_solutions.hpp"
 #include "studies/search/plan.hpp"
 

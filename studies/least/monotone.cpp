@@ -50,7 +50,8 @@ bool contact_tightens_with_speed(const Scene& scene) {
     if (forces.damping > 0.0 || forces.speed_range || !stays_above_zero(scene.motion)) return false;
     double least_load = forces.load.empty() ? 0.0 : forces.load.front()[1];
     for (const auto& [angle, load] : forces.load) least_load = std::min(least_load, load);
-    return forces.preload + least_load >= limit_on(scene.limits, LimitedFigure::contact_force)->value;
+    const double preload = forces.preload_range ? (*forces.preload_range)[0] : forces.preload;
+    return preload + least_load >= limit_on(scene.limits, LimitedFigure::contact_force)->value;
 }
 
 /// Every limit loosens as the base radius grows.

@@ -4,6 +4,7 @@
 #include "scene/part_names.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
+#include "studies/least/feasible_edge.hpp"
 #include "studies/least/monotone.hpp"
 #include "studies/machine/machine_build.hpp"
 #include "studies/search/presolve.hpp"
@@ -17,10 +18,9 @@ namespace {
 
 // Of trials: the sign of the least common violation is proved, its value only steers the search.
 constexpr double trial_tolerance = 1e-6;
-constexpr int most_trials = 60, few_trials = 4;
+constexpr int few_trials = 4;
 constexpr double other_part = 0.02;  // of the whole time: another backend, for a speed that is not decided
-// Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
-constexpr double usual_slope = 2.0, least_slope = 0.2;
+constexpr double usual_slope = 2.0;  // of the steepness by log ω: of a limit on acceleration
 
 /// Null: this build has none.
 std::unique_ptr<Solver> other_backend() {
@@ -134,10 +134,6 @@ class MachineSearch {
         ++result_.trials;
         memory_.keep(*posed.problem);
         if (trial.x.size() > 0) memory_.x = trial.x;
-        if (speed > 0.0 && trial.proof) {
-            high_.insert(high_.begin(), {std::log(speed), trial.steepness()});
-            std::ranges::sort(high_, {}, [](const std::array<double, 2>& one) { return one[0]; });
-        }
         if (control_.progress)
             control_.progress(fmt::format("{:.6g} rpm: violation {:.3g}, {}", rpm(speed), trial.violation,
                                           trial.feasible() ? "motions exist"
@@ -151,22 +147,6 @@ class MachineSearch {
         const double digits = std::ceil(-std::log10(options_.speed_gap)) + 2.0;
         const double whole = std::pow(10.0, digits - std::ceil(std::log10(rpm(speed))));
         return std::round(rpm(speed) * whole) / whole * units::revolution_per_minute;
-    }
-
-    /// The next speed to try between a feasible and an infeasible one: beside the zero of the steepness, on
-    /// the side that closes the bracket.
-    [[nodiscard]] double next_speed(const Trial& low, const Trial& high, bool low_is_new, bool slow) const {
-        const double l = std::log(low.speed), h = std::log(high.speed), gap = std::log1p(options_.speed_gap);
-        // Clearances do not depend on the speed: below some speed the steepness is constant, and the largest
-        // slope among these points is that of the limits in time.
-        double slope =
-            high_.size() > 1 ? (high_[1][1] - high_[0][1]) / (high_[1][0] - high_[0][0]) : usual_slope;
-        slope = std::max({least_slope, slope, (high.steepness() - low.steepness()) / (h - l)});
-        double zero = h - high.steepness() / slope;
-        if (slow || !(zero > l)) zero = 0.5 * (l + h);
-        const double side = low_is_new ? 0.3 * gap : -0.3 * gap;
-        const double margin = std::min(0.05 * (h - l), 0.25 * gap);
-        return rounded(std::exp(std::clamp(zero + side, l + margin, h - margin)));
     }
 
     void take_proof(const Trial& impossible) {
@@ -261,36 +241,29 @@ class MachineSearch {
         return {};
     }
 
-    /// Narrows the bracket to the gap. Around a speed that is not decided the speeds below and above it are
-    /// tried: what remains is said by note_undecided.
+    /// Narrows the bracket to the gap by the steepness over log ω. A speed that is not decided counts as
+    /// impossible; where the bracket ends at one, speeds above it are tried until one is proved impossible.
     void narrow(Bracket& bracket) {
-        bool low_is_new = false, slow = false;
-        std::optional<std::array<double, 2>> open;  // the lowest and the highest speed without a decision
-        const auto width = [&] { return std::log(bracket.high->speed / bracket.low.speed); };
         const double gap = std::log1p(options_.speed_gap);
-        for (int k = 0; k < most_trials && width() > gap * (1.0 + 1e-9) && !control_.ending(); ++k) {
-            const double before = width();
-            double speed = 0.0;
-            if (open) {
-                const double below = (*open)[0] / bracket.low.speed, above = bracket.high->speed / (*open)[1];
-                if (std::log(std::max(below, above)) <= gap) break;
-                speed = rounded(below >= above ? std::sqrt(bracket.low.speed * (*open)[0])
-                                               : std::sqrt((*open)[1] * bracket.high->speed));
-            } else {
-                speed = next_speed(bracket.low, *bracket.high, low_is_new, slow);
-            }
-            Trial next = trial(speed);
-            if (!next.settled() && bracket.high->proof) {
-                if (!open) open = {speed, speed};
-                (*open)[speed > (*open)[0] ? 1 : 0] = speed;
-                continue;
-            }
-            low_is_new = next.feasible();
-            if (open && (low_is_new ? speed >= (*open)[1] : speed <= (*open)[0])) open.reset();
-            (low_is_new ? bracket.low : *bracket.high) = std::move(next);
-            // Two estimates that fall short: the middle needs no model of the violation.
-            slow = width() > 0.5 * before && (low_is_new || !slow) && width() > 4.0 * gap;
-        }
+        const auto steepness_at = [&](double log_speed) {
+            Trial next = trial(std::exp(log_speed));
+            const double found = next.feasible() ? 0.0 : next.steepness();
+            if (next.feasible())
+                bracket.low = std::move(next);
+            else if (next.proof || (!bracket.high->proof && next.speed < bracket.high->speed))
+                bracket.high = std::move(next);
+            return found;
+        };
+        const ValueSearch search{steepness_at, [&] { return control_.ending().has_value(); },
+                                 [&](double log_speed) { return std::log(rounded(std::exp(log_speed))); },
+                                 usual_slope};
+        const double most = std::log(bracket.high->speed);
+        const ValueBracket found =
+            closed_in(search, {{std::log(bracket.low.speed), 0.0}, {most, bracket.high->steepness()}}, gap);
+        double above = found.outside.value;
+        const auto known = [&] { return bracket.high->proof ? std::log(bracket.high->speed) : most; };
+        for (double step = gap; above + step < known() && !control_.ending(); step *= 2.0)
+            (void)steepness_at(above += step);
     }
 
     /// The speeds of which neither motions nor their impossibility are known.
@@ -388,7 +361,6 @@ class MachineSearch {
                 return true;
             }
             if (hold_strokes(posed, found.x, memory_)) {
-                high_.clear();
                 memory_.x = {};
                 if (machine().searches_speed()) return false;
                 continue;
@@ -454,7 +426,6 @@ class MachineSearch {
     const MachineOptions& options_;
     SolveControl control_;
     MachineMemory memory_;
-    std::vector<std::array<double, 2>> high_;  ///< of infeasible trials: (log ω, steepness), ascending
     MachineSolution result_;
     bool decides_only_ = false;  ///< least violations are not asked for
 };

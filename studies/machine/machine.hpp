@@ -4,11 +4,11 @@
 // a little above it.
 //
 // Limits in time only tighten as the speed ω grows, |y^{(k)}| ≤ L_k / (h ω^k), and clearances do not depend
-// on it: the feasible speeds are an interval from 0. It is bisected; by the logarithm of 1 + the least common
-// violation, nearly linear in log ω, few trials suffice. At the lower end motions are delivered, at the upper
-// one the multipliers of the elastic program prove that there are none. Limits that do not only tighten
-// (residual vibration, forces, drive torque, numbers in time at set points) are tried at speeds over the
-// whole range: between these nothing is claimed, and the result says so.
+// on it: the feasible speeds are an interval from 0. Its end is searched (studies/least/feasible_edge.hpp) by
+// the logarithm of 1 + the least common violation, nearly linear in log ω. At the lower end motions are
+// delivered, at the upper one the multipliers of the elastic program prove that there are none. Limits that
+// do not only tighten (residual vibration, forces, drive torque, numbers in time at set points) are tried at
+// speeds over the whole range: between these nothing is claimed, and the result says so.
 #pragma once
 
 #include "studies/machine/machine_solution.hpp"

@@ -115,6 +115,17 @@ Scene with_found_angles(const Scene& scene, const ResultRecord& record) {
     return with_segment_angles(scene, angles);
 }
 
+/// The spring that was chosen is part of the design, too.
+void take_chosen_spring(Scene& scene, const ResultRecord& record) {
+    for (const SpringNumber& number : spring_numbers) {
+        if (!scene.forces || !((*scene.forces).*number.range) || !record.motion) continue;
+        const auto& names = record.design.names;
+        const auto found = std::ranges::find(names, std::string_view(number.key));
+        if (found == names.end()) refuse(fmt::format("found no {} in its design", number.key));
+        (*scene.forces).*number.number = record.design.values[found - names.begin()];
+    }
+}
+
 }  // namespace
 
 Solution restored_solution(const Scene& scene, const ResultRecord& record) {
@@ -123,6 +134,7 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     solution.reference_peaks = reference_peaks(scene);
     solution.plan = std::make_shared<const SolvePlan>(plan(scene, {.explain = true}));
     if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
+    take_chosen_spring(solution.scene, record);
     if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
     if (record.motion) report_delivered(solution, delivered_of(solution.scene, record));
     tell_of_run(solution, record);

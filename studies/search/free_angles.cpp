@@ -71,7 +71,7 @@ class AngleSearch {
         const Angles& angles = found() ? best_angles_ : given_;
         // Where there is no motion, the conflict of the given angles is told.
         Solution solution = found() ? best_solved() : solve_(given(angles), control_);
-        solution.scene = with_segment_angles(scene_, all_angles(angles));
+        set_scene(solution, with_segment_angles(scene_, all_angles(angles)));
         solution.seconds_solve = solution.seconds_total = watch_.seconds();
         solution.solver.convex = false;
         for (std::string& note : solution.notes) note.insert(0, "for these angles: ");

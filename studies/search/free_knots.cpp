@@ -237,7 +237,7 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
 /// What is said of a solution on breakpoints that were found by `search`.
 void report_search(Solution& solution, const FreeKnotSearch& search, const Scene& scene, std::string_view how,
                    std::string note) {
-    solution.scene = scene;
+    set_scene(solution, scene);
     solution.solver.convex = false;
     solution.solver.starts = search.starts;
     if (search.starts > 0) solution.notes.push_back(std::move(note));

@@ -2,7 +2,7 @@
 #include "studies/solve/solve.hpp"
 
 #include "studies/delivered/solution_report.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "studies/explain/explain.hpp"
 #include "studies/least/least_value.hpp"
 
 #include <fmt/format.h>

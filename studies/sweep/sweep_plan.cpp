@@ -69,7 +69,7 @@ void check_solve(const Scene& scene, CheckedLaws& checked) {
     const Reference& reference = scene.objective.reference;
     if (reference.numeric || checked.emplace(reference.law, weighed_figures(scene.objective)).second)
         (void)reference_peaks(scene);
-    if (scene.objective.seeks_number()) (void)sought_number(with_written_limits(scene));
+    if (scene.objective.sought.has_value()) (void)sought_number(with_written_limits(scene));
     if (scene.solver.name == "auto" && scene.solver.options.empty()) return;  // there is always one
     const std::string solver = scene.solver.name == "auto" ? plan(scene).solver : scene.solver.name;
     (void)make_solver(solver);
@@ -86,7 +86,7 @@ struct Seen {
     void add(const Scene& scene) {
         train = train || scene.dynamics.has_value();
         drive = drive || scene.drive.has_value();
-        sought = sought || scene.objective.seeks_number();
+        sought = sought || scene.objective.sought.has_value();
         for (const ResponseTerm& term : response_terms())
             if ((term.needs_dynamics() || term.needs_drive()) && term.weight_in(scene.objective) > 0.0 &&
                 std::ranges::find(responses, term.name) == responses.end())

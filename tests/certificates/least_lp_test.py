@@ -73,19 +73,22 @@ class Stroke:
 
 
 class LeastOf(Program):
-    """min u: a . (y, y', y'', y''') + c <= 0 of every row in `caps`, <= u size of every row in `sought`, all along a stroke."""
+    """min u: a . (y, y', y'', y''') + c + h p <= 0 of every row in `caps`, <= u size of every row in `sought`, all along a stroke;
+    p, within `chosen`, is a number that is chosen with the motion, and rows without it have no h."""
 
-    def __init__(self, stroke, caps, sought, places, enough=math.inf):
+    def __init__(self, stroke, caps, sought, places, enough=math.inf, chosen=None):
+        self.chosen = chosen
         self.enough = enough  # above this the optimum over some rows, which bounds it from below, is all that is asked for
         self.stroke, self.splines, self.found_places = stroke, stroke.splines, places
         self.rules = [(row, 0.0) for row in list(caps) + stroke.within] + [(row, size) for row, size in sought]
         self.rows, self.sides = [], []
 
     def add_at(self, i, x, rule):
-        (a, c), factor = self.rules[rule]
+        (a, c, *h), factor = self.rules[rule]
         size = factor or float(numpy.abs(a) @ TYPICAL)
         row = sum(a[order] * self.splines.row_on(i, x, order) for order in range(4) if a[order])
-        self.rows.append(numpy.append(row / size, -1.0 if factor else 0.0))
+        own = [(h[0] if h else 0.0) / size] if self.chosen else []
+        self.rows.append(numpy.concatenate([row / size, own, [-1.0 if factor else 0.0]]))
         self.sides.append(-c / size)
 
     def solve(self):
@@ -98,7 +101,11 @@ class LeastOf(Program):
         for i, x, rule in known:
             self.add_at(i, x, rule)
         equal, values = self.stroke.conditions()
-        equal, cost = numpy.hstack([equal, numpy.zeros((len(values), 1))]), numpy.append(numpy.zeros(self.splines.size), 1.0)
+        more = 2 if self.chosen else 1
+        for sign, end in zip((-1.0, 1.0), self.chosen or ()):
+            self.rows.append(numpy.concatenate([numpy.zeros(self.splines.size), [sign, 0.0]]))
+            self.sides.append(sign * end)
+        equal, cost = numpy.hstack([equal, numpy.zeros((len(values), more))]), numpy.append(numpy.zeros(self.splines.size + more - 1), 1.0)
         for k in range(ROUNDS):
             found = self.linear_program(cost, equal, values)
             if found is None:
@@ -113,8 +120,10 @@ class LeastOf(Program):
                 self.add_at(*place)
         raise NoTest("a vertex wanders in a wide optimal face")
 
-    def exceeded(self, design, u):
-        for rule, ((a, c), factor) in enumerate(self.rules):
+    def exceeded(self, numbers, u):
+        design, p = numbers[:self.splines.size], numbers[-1] if self.chosen else 0.0
+        for rule, ((a, c, *h), factor) in enumerate(self.rules):
+            c = c + (h[0] if h else 0.0) * p
             allowed = u * factor + self.tolerance * (factor or float(numpy.abs(a) @ TYPICAL))
             for i, (low, high) in enumerate(zip(self.splines.points, self.splines.points[1:])):
                 own = numpy.tensordot(design, self.splines.values[:, i, :], 1)
@@ -192,13 +201,13 @@ class Scene:
             raise NoTest("the end of its range")
         return value, error
 
-    signed = False
+    signed, chosen = False, None
 
     def of_stroke(self, stroke, caps):
         """Of a number that the rows are linear in: a . (…) + c <= u for the rows in sought."""
         rows = self.sought(stroke)
-        size = max(float(numpy.abs(a) @ TYPICAL) for a, _ in rows)
-        program = LeastOf(stroke, caps, [(row, size) for row in rows], set())
+        size = max(float(numpy.abs(a) @ TYPICAL) for a, *_ in rows)
+        program = LeastOf(stroke, caps, [(row, size) for row in rows], set(), chosen=self.chosen)
         least = program.solve()
         if abs(least) < NO_NUMBER:
             raise NoTest("an optimum of 0, to which nothing is relative")
@@ -307,6 +316,24 @@ class Scene:
             self.limits += f"contact_force_min_n = {self.least}\n"
         self.sought = lambda stroke: [self.force(stroke, -1.0, self.rate, -self.held - self.load)]
 
+    def largest_force(self):
+        self.forces()
+        self.key = "limits.contact_force_max_n"
+        if self.numbers.random() < 0.5:
+            self.limits += f"contact_force_max_n = {self.pick(1, 5000, 1)}\n"
+        self.sought = lambda stroke: [self.force(stroke, 1.0, self.rate, self.held + self.load)]
+
+    def chosen_preload(self):
+        """The least peak of the contact force, with the preload that keeps the follower on the cam."""
+        if self.kind == "program":  # its strokes share the preload
+            self.kind, self.strokes = "DRD", self.strokes[:1]
+        self.forces()
+        self.key, self.chosen = "limits.contact_force_max_n", (0.0, 4 * self.held + 50)
+        self.tables = self.tables.replace(f"preload_n = {self.held}", f"preload_n = {{ min = 0, max = {self.chosen[1]} }}")
+        self.limits += f"contact_force_min_n = {self.least}\n"
+        self.caps.append(lambda stroke: (*self.force(stroke, -1.0, self.rate, self.least - self.load), -1.0))
+        self.sought = lambda stroke: [(*self.force(stroke, 1.0, self.rate, self.load), 1.0)]
+
     def spring_rate(self):
         self.forces()
         self.key = "forces.spring_rate_n_mm"
@@ -359,7 +386,8 @@ class Scene:
         return least if least > CERTAIN else least + program.tolerance
 
 
-FAMILIES = ("peak", "side", "pressure", "base_radius", "preload", "contact_force", "spring_rate", "flat_radius")
+FAMILIES = ("peak", "side", "pressure", "base_radius", "preload", "contact_force", "spring_rate", "flat_radius", "largest_force",
+            "chosen_preload")
 
 
 def judged(module, folder, scene, expected):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Scenes of every kind of end, bound and load of a motion, and changes of them that make what was claimed false."""
+from pathlib import Path
 
 OBJECTIVE = """[objective]
 acceleration = 1
@@ -62,9 +63,15 @@ ANGLES = ('[motion]\ntype = "program"\nlift_mm = 14\nspeed_rpm = 100\n' + DWELL 
           "angle_deg = { min = 30, max = 50 }\n" + SPLINE + RANGE + "to = 0.05\n" + LAW + 'law = "cycloidal"\nangle_deg = 60\nto = 0\n'
           "[objective]\nacceleration = 1\nvelocity = 0.2\n[spline]\nsegments = 12\n[limits]\n")
 CURVE = '[motion]\ntype = "DRD"\n[spline]\nknots = "free"\nsegments = 8\n[objective]\n'
+SPRUNG = ('[motion]\ntype = "DRD"\nlift_mm = 20\nrise_deg = 60\nspeed_rpm = 400\n[spline]\nsegments = 12\n[objective]\nacceleration = 0.5\n'
+          "jerk = 0.5\n" + ROLLER + "[forces]\nmass_kg = 1\nspring_rate_n_mm = 4\npreload_n = { min = 0, max = 1000 }\n")
+
+CASES = Path(__file__).resolve().parents[1] / "cases"
 
 # Name: (scene, verdict).
 TEXTS = {
+    # Little freedom: that y'' = 0 where the velocity is 0 between two rises is met as an inequality, to its tolerance.
+    "rest_between_rises": ((CASES / "weak_auto_6x_worse_than_ipopt.toml").read_text(), "optimal"),
     "ends_drd": ('[motion]\ntype = "DRD"\nlift_mm = 10\nrise_deg = 90\nspeed_rpm = 60\nstart = { velocity_mm_s = 20 }\n'
                  "end = { velocity = 0.5, acceleration = -1 }\n" + OBJECTIVE, "optimal"),
     "ends_rr": ('[motion]\ntype = "RR"\nstart = { velocity = -0.5 }\nend = { velocity = -0.5 }\n' + OBJECTIVE, "optimal"),
@@ -122,6 +129,8 @@ TEXTS = {
     "prescribed_flat": (PRESCRIBED + FLAT + "base_radius_mm = { min = 5, max = 300 }\n[objective]\nacceleration = 1\n"
                         "base_radius = 1\n[limits]\ncam_radius_min_mm = 2\n", "optimal"),
     "load": (LOADED + "[limits]\ncontact_force_min_n = 20\n", "optimal"),
+    "chosen_preload": (SPRUNG + "[limits]\ncontact_force_min_n = 10\ncontact_force_max_n = 260\n", "optimal"),
+    "chosen_none": (SPRUNG.replace("max = 1000", "max = 5") + "[limits]\ncontact_force_min_n = 10\n", "infeasible"),
     "tappet": ('[motion]\ntype = "RR"\nlift_mm = 8\nrise_deg = 60\nspeed_rpm = 500\n[spline]\nsegments = 16\n[objective]\njerk = 1\n' +
                FLAT + "base_radius_mm = 30\nface_radius_mm = 15\n[forces]\ncontact_width_mm = 14\npreload_n = 100\n", "optimal"),
     "inch": ('[motion]\ntype = "RR"\nlift_in = 0.35\nrise_crank_deg = 120\nreturn_crank_deg = 130\nspeed_rpm = 2500\n'
@@ -216,6 +225,10 @@ CHANGES = [
     ("prescribed_flat", "cam_radius_min_mm = 2", "cam_radius_min_mm = 1"),
     ("load", "-160]", "-170]"), ("load", "[150, -20]", "[150, -40]"), ("load", "damping_n_s_m = 30", "damping_n_s_m = 300"),
     ("load", "contact_force_min_n = 20", "contact_force_min_n = 21"),
+    ("rest_between_rises", "velocity = 0.6174", "velocity = 0.6175"), ("rest_between_rises", "to = 0.57", "to = 0.571"),
+    ("chosen_preload", "max = 1000", "max = 90"), ("chosen_preload", "contact_force_max_n = 260", "contact_force_max_n = 259"),
+    ("chosen_preload", "contact_force_min_n = 10", "contact_force_min_n = 11"), ("chosen_preload", "mass_kg = 1", "mass_kg = 1.01"),
+    ("chosen_none", "max = 5", "max = 50"),
     ("tappet", "face_radius_mm = 15", "face_radius_mm = 14.9"), ("tappet", "contact_width_mm = 14", "contact_width_mm = 15"),
     ("tappet", "face_radius_mm = 15", "face_radius_mm = 15.1"), ("inch", "velocity_in_deg = 0.0005", "velocity_in_deg = 0.0006"),
     ("inch", "contact_force_min_lbf = 10", "contact_force_min_lbf = 60"),

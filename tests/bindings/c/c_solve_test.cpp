@@ -242,6 +242,24 @@ TEST(CSolve, NamesTheNumbersOfTheCam) {
     EXPECT_EQ(std::string_view(camopt_error_text()), "index: found 3; allowed: 0 to 2");
 }
 
+TEST(CSolve, NamesTheSpringThatWasChosen) {
+    const CScene scene = c_scene_of_file("cam_forces");
+    EXPECT_OK(camopt_set_toml(scene.get(), "forces.preload_n", "{ min = 20, max = 400 }"));
+    EXPECT_OK(camopt_set_number(scene.get(), "solver.starts", 1));
+    const CSolution c = c_solved(scene);
+    std::size_t count = 0;
+    EXPECT_OK(camopt_parameter_count(c.get(), &count));
+    ASSERT_EQ(count, 4U);
+    camopt_parameter parameter{};
+    parameter.size = sizeof parameter;
+    EXPECT_OK(camopt_parameter_at(c.get(), 3, &parameter));
+    EXPECT_STREQ(parameter.name, "preload");
+    EXPECT_STREQ(parameter.unit, "N");
+    EXPECT_EQ(parameter.is_variable, 1);
+    EXPECT_GE(parameter.value, 20.0);
+    EXPECT_LE(parameter.value, 400.0);
+}
+
 TEST(CSolve, MakesCamsOfOtherKinds) {
     const CScene scene = c_scene_of_file("tappet_75");
     EXPECT_OK(camopt_set_number(scene.get(), "spline.segments", 8));

@@ -6,7 +6,7 @@
 #include "report/solve/cam_remarks.hpp"
 #include "report/solve/infeasible_words.hpp"
 #include "scene/motion/set_points.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -10,7 +10,7 @@
 #include "scene/key_row.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/check/scene_check.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 #include "table_scenes.hpp"
 
@@ -195,7 +195,7 @@ TEST(LimitTable, EveryPeakCapIsFullySupported) {
             if (limit->physical()) {
                 EXPECT_NE(refusal_of(scene_text(!swings, least_jerk, line)), "") << "unit of another lift";
             }
-            const std::vector<Adjustment> caps = peak_adjustments(scene);
+            const std::vector<Adjustment> caps = adjustments(scene);
             EXPECT_EQ(std::ranges::count(caps, "limits." + key, &Adjustment::key), 1);
         }
 }

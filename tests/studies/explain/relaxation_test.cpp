@@ -3,8 +3,9 @@
 // limits that give way together, and the time it may take.
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
-#include "studies/explain/adjustment.hpp"
-#include "studies/explain/value_search.hpp"
+#include "studies/explain/explain.hpp"
+#include "studies/least/adjustment.hpp"
+#include "studies/least/feasible_edge.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/middle_cam.hpp"

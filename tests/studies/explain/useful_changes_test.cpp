@@ -3,7 +3,7 @@
 // feasible: every change is written into the scene file as it is printed, and the file is solved.
 #include "report/solve/infeasible_words.hpp"
 #include "report/view/key_words.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/solved_scene.hpp"
 

@@ -3,6 +3,8 @@
 // refused.
 #include "studies/least/least_value.hpp"
 
+#include "input/scene_text.hpp"
+#include "report/solve/least_words.hpp"
 #include "studies/least/monotone.hpp"
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/solve/solve.hpp"
@@ -78,7 +80,7 @@ TEST(LeastValue, SpeedAtWhichFollowerLosesContact) {
     const Solution solution = largest_of(scene, "motion.speed_rpm");
     expect_encloses(solution, solution.least->value, 1e-3);
     Scene faster = solution.scene;
-    faster.objective.largest.clear();
+    faster.objective.sought.reset();
     faster.motion.speed = *faster.motion.speed * 1.001;
     EXPECT_EQ(solve(faster).certificate.verdict, Verdict::infeasible);
     EXPECT_EQ(tightening_of(scene, "motion.speed_rpm"), Tightens::upward);
@@ -97,8 +99,8 @@ TEST(LeastValue, IsSameFromAnyGivenValue) {
 TEST(LeastValue, WeightsChooseAmongMotionsAtIt) {
     const Solution solution = least_of(pressure_angle_scene(35.0), "limits.pressure_angle_deg", 1e-3);
     Scene same = solution.scene;
-    EXPECT_EQ(same.objective.least, "limits.pressure_angle_deg");
-    same.objective.least.clear();
+    EXPECT_EQ(same.objective.sought, (SoughtKey{"limits.pressure_angle_deg"}));
+    same.objective.sought.reset();
     EXPECT_NEAR(same.limits.pressure_angle->given(), solution.least->value, 1e-12);
     EXPECT_NEAR(solve(same).certificate.objective, solution.certificate.objective, 1e-7);
 }
@@ -110,6 +112,20 @@ TEST(LeastValue, IsLocalWhereNotMonotone) {
     EXPECT_LT(*solution.least->impossible, solution.least->value);
 }
 
+TEST(LeastValue, DwellThatGivesWayHasFewDigits) {
+    const TestScene scene(R"(
+motion = { type = "program", lift_mm = 10, speed_rpm = 100, segments = [
+    { kind = "spline", angle_deg = 60, to = 1 }, { kind = "dwell", angle_deg = 60 },
+    { kind = "spline", angle_deg = 120, to = 0 }, { kind = "dwell", angle_deg = 120 } ] }
+objective = { jerk = 1 }
+limits = { acceleration_m_s2 = 4 }
+)");
+    const Solution solution = least_of(scene, "motion.segments[0].angle_deg", 1e-4);
+    ASSERT_TRUE(solution.least && solution.least->proof);
+    for (const Scene& one : {solution.scene, solution.least->proof->scene})
+        EXPECT_THAT(input::scene_text(one), testing::Not(testing::ContainsRegex("[0-9][.][0-9]{8}")));
+}
+
 TEST(LeastValue, EndOfRangeNeedsNoProof) {
     const TestScene scene = pressure_angle_scene(35.0).with(
         "motion.speed_rpm = 6", "forces.mass_kg = 0.01", "forces.spring_rate_n_mm = 1",
@@ -119,6 +135,22 @@ TEST(LeastValue, EndOfRangeNeedsNoProof) {
     EXPECT_EQ(solution.least->value, 0.0);
     EXPECT_EQ(solution.least->verdict, Verdict::optimal);
     EXPECT_FALSE(solution.least->impossible || solution.least->proof);
+}
+
+TEST(LeastValue, NumberThatNeedsNothingIsZero) {
+    const TestScene flat = flat_scene(60.0).with("limits = {}");
+    const Solution solution = least_of(flat, "limits.pressure_angle_deg", 1e-4);  // of a pushed face always 0
+    ASSERT_TRUE(solution.motion && solution.least);
+    EXPECT_GT(solution.least->value, 1e-6);
+    EXPECT_LT(solution.least->value, 1e-2);
+    EXPECT_EQ(solution.least->verdict, Verdict::feasible);
+    EXPECT_FALSE(solution.least->impossible);
+    EXPECT_NE(least_sentence(solution).find("practically 0"), std::string::npos);
+    // Of a number that may be 0 it is 0.
+    const TestScene pressed = pressure_angle_scene(35.0).with(
+        "motion.speed_rpm = 6", "forces = { mass_kg = 0.01, spring_rate_n_mm = 1, preload_n = 5 }",
+        "limits.contact_force_min_n = 0");
+    EXPECT_EQ(least_of(pressed, "forces.preload_n").least->value, 0.0);
 }
 
 TEST(LeastValue, InfeasibleWithEveryValueIsInfeasible) {

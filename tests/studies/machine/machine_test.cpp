@@ -4,6 +4,7 @@
 
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
+#include "studies/least/monotone.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/source_folder.hpp"
 
@@ -144,6 +145,23 @@ TEST(Machine, LimitsThatAreNotConvexAreRefused) {
     EXPECT_NE(said.find("axis[1].scene.objective.torque: found a limit or term that is not convex"),
               std::string::npos)
         << said;
+}
+
+TEST(Machine, SearchedNumbersOfAxesAreRefused) {
+    MachineSpec free = cartoner();
+    free.axes[1].scene.spline.free_knots = true;
+    EXPECT_EQ(refusal([&] { (void)solve_machine(free); }),
+              "axis[1].scene.spline.knots: found \"free\"; allowed: in a machine fixed breakpoints");
+    MachineSpec seeking = cartoner();
+    seeking.axes[0].scene.objective.sought = SoughtKey{"limits.jerk", false};
+    EXPECT_EQ(
+        refusal([&] { (void)solve_machine(seeking); }),
+        "axis[0].scene.objective.least: found \"limits.jerk\"; allowed: none in an axis: a machine seeks its "
+        "largest speed, where machine.speed is a range");
+    MachineSpec sprung = cartoner();
+    sprung.axes[2].scene.forces.emplace().preload_range = {1.0, 2.0};
+    EXPECT_EQ(refusal([&] { (void)solve_machine(sprung); }),
+              "axis[2].scene.forces.preload: found a range; allowed: in a machine a fixed number");
 }
 
 TEST(Machine, OtherLimitsAreScanned) {

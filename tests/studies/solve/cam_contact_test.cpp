@@ -5,7 +5,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_report.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "tests/studies/independent_cam.hpp"
 #include "tests/support/scene_kit.hpp"

@@ -91,6 +91,14 @@ const Beat beats[] = {
     {"arm_face_radius", arm_face(), radius, convex_radius, -1, 1.05},
     {"contact_force", loaded(roller()), "limits.contact_force_min_n",
      [](const CamSummary& c) { return c.forces->least_force.value; }, -1, 1.05},
+    {"largest_force", loaded(roller()), "limits.contact_force_max_n",
+     [](const CamSummary& c) { return c.forces->largest_force.value; }, 1, 0.95},
+    {"groove_force", grooved(loaded(roller()).with("forces.preload_n = 0", "forces.spring_rate_n_m = 0")),
+     "limits.contact_force_max_n",
+     [](const CamSummary& c) {
+         return std::max(c.forces->largest_force.value, -c.forces->least_force.value);
+     },
+     1, 0.97},
     {"torque", loaded(roller()), "limits.torque_max_nm",
      [](const CamSummary& c) { return c.forces->torque.value; }, 1, 0.95},
     // One speed: the whole range from 0 has a test of its own (hertz_at_speed) and needs more boxes.

@@ -289,6 +289,23 @@ TEST(NearestMotion, LimitsKeepItAway) {
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::infeasible);
 }
 
+/// Of free breakpoints the nearest motion is no farther than with those it began from.
+TEST(NearestMotion, FreeBreakpointsComeNearer) {
+    for (const bool rms : {false, true}) {
+        Scene scene = nearest_scene(rms, 2e-3);
+        scene.spline.segments = 5;
+        const Solution fixed = solve(scene);
+        scene.spline.free_knots = true;
+        scene.solver.starts = 1;
+        const Solution free = solve(scene);
+        ASSERT_TRUE(fixed.motion && free.motion) << rms;
+        EXPECT_LT(free.certificate.objective, 0.99 * fixed.certificate.objective) << rms;
+        const Deviation found = deviation_of(measured_rows(scene, 0.0, 1.0), *free.motion);
+        EXPECT_NEAR(free.certificate.objective, (rms ? found.rms : found.largest.value) / 1e-3, 1e-6) << rms;
+        EXPECT_NE(free.certificate.verdict, Verdict::optimal) << rms;
+    }
+}
+
 TEST(NearestMotion, NeedsTable) {
     Scene scene = nearest_scene(false, 0.0);
     scene.measured.reset();

@@ -5,7 +5,7 @@
 
 #include "objectives/scene_model.hpp"
 #include "studies/delivered/solution_parts.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/scene_kit.hpp"

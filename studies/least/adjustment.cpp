@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 
 #include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -155,6 +155,28 @@ void add_face(std::vector<Adjustment>& all, const Scene& scene) {
 // Beyond a thousand times its size a change of a spring, a speed or a cap is no advice.
 constexpr double farthest_operating_change = 1e3;
 
+/// The bounds of corridors, each to its side.
+void add_corridors(std::vector<Adjustment>& all, const Scene& scene) {
+    for (const WrittenBound& bound : motion_bounds(scene)) {
+        if (bound.corridor < 0) continue;
+        const auto index = static_cast<std::size_t>(bound.corridor);
+        const double size = std::max(std::abs(bound.given), bound.per_normalised);
+        const double end = bound.given + bound.sign * farthest_operating_change * size;
+        all.push_back(
+            number_adjustment(bound.key, bound.given, size,
+                              Range::between(std::min(bound.given, end), std::max(bound.given, end)),
+                              [index, order = static_cast<std::size_t>(bound.order), least = bound.sign < 0,
+                               unit = bound.per_normalised](Scene& changed, double value) {
+                                  Corridor::Bounds& bounds = changed.motion.corridors[index].bounds[order];
+                                  (least ? bounds.least : bounds.most) = value / unit;
+                              }));
+        all.back().limit = true;
+        all.back().usefulness = Usefulness::limit;
+        all.back().begin = bound.from;
+        all.back().end = bound.until;
+    }
+}
+
 Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
     // Of one side: to that side, by a thousand times its size (which may be that of the peak, in its unit).
     const double size =
@@ -172,16 +194,34 @@ Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
     return adjustment;
 }
 
-/// One number of the forces. least_size: what a change of it is measured by at least, SI.
-Adjustment force_adjustment(const Scene& scene, const char* name, const Spelling& otherwise,
-                            double ForceSpec::*member, double least_size) {
+/// One number of the forces, or the ends of the range that it is chosen from. least_size: what a change of it
+/// is measured by at least, SI.
+void add_spring_number(std::vector<Adjustment>& all, const Scene& scene, const char* name,
+                       const Spelling& otherwise, double ForceSpec::*member,
+                       std::optional<std::array<double, 2>> ForceSpec::*range, double least_size) {
     const Spelling spelling = scene.spelling_of(name, otherwise);
-    const double unit = spelling.factor, given = as_written((*scene.forces).*member / unit);
-    const double size = std::max(std::abs(given), least_size / unit);
-    return number_adjustment(
-        fmt::format("{}{}", name, spelling.suffix), given, size,
-        Range::between(std::min(0.0, given), farthest_operating_change * size),
-        [member, unit](Scene& changed, double value) { (*changed.forces).*member = value * unit; });
+    const double unit = spelling.factor;
+    const std::string key = fmt::format("{}{}", name, spelling.suffix);
+    const auto sized = [&](double number) { return std::max(std::abs(number), least_size / unit); };
+    const auto& both = (*scene.forces).*range;
+    if (!both) {
+        const double given = as_written((*scene.forces).*member / unit), size = sized(given);
+        all.push_back(number_adjustment(
+            key, given, size, Range::between(std::min(0.0, given), farthest_operating_change * size),
+            [member, unit](Scene& changed, double value) { (*changed.forces).*member = value * unit; }));
+        return;
+    }
+    for (const std::size_t end : {std::size_t{1}, std::size_t{0}}) {
+        const double given = as_written((*both)[end] / unit), size = sized(given);
+        all.push_back(number_adjustment(key + (end == 1 ? ".max" : ".min"), given, size,
+                                        end == 1 ? Range::between(given, farthest_operating_change * size)
+                                                 : Range::between(std::min(0.0, given), given),
+                                        [member, range, end, unit](Scene& changed, double value) {
+                                            std::array<double, 2>& own = *((*changed.forces).*range);
+                                            own[end] = value * unit;
+                                            (*changed.forces).*member = 0.5 * (own[0] + own[1]);
+                                        }));
+    }
 }
 
 void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
@@ -197,10 +237,11 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
     const Spelling& rate = swings   ? unit_named<"N m/rad">
                            : inches ? unit_named<"lbf/in">
                                     : unit_named<"N/mm">;
-    all.push_back(force_adjustment(scene, "forces.preload",
-                                   (swings ? spellings::moment : spellings::force)[inches ? 1 : 0],
-                                   &ForceSpec::preload, force));
-    all.push_back(force_adjustment(scene, "forces.spring_rate", rate, &ForceSpec::spring_rate, force / lift));
+    add_spring_number(all, scene, "forces.preload",
+                      (swings ? spellings::moment : spellings::force)[inches ? 1 : 0], &ForceSpec::preload,
+                      &ForceSpec::preload_range, force);
+    add_spring_number(all, scene, "forces.spring_rate", rate, &ForceSpec::spring_rate,
+                      &ForceSpec::spring_rate_range, force / lift);
 }
 
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
@@ -211,6 +252,12 @@ void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
         fmt::format("forces.contact_width{}", spelling.suffix), given, given,
         Range::between(given, farthest_operating_change * given),
         [unit](Scene& changed, double value) { changed.forces->contact_width = value * unit; }));
+}
+
+void add_forces(std::vector<Adjustment>& all, const Scene& scene) {
+    if (!scene.forces || !limits_spring(scene.limits)) return;
+    add_springs(all, scene);
+    add_contact_width(all, scene);
 }
 
 bool goes_by_time(const Scene& scene) {
@@ -261,55 +308,18 @@ Adjustment number_adjustment(std::string key, double given, double size, const R
 }
 
 std::vector<Adjustment> adjustments(const Scene& scene) {
-    std::vector<Adjustment> all = motion_adjustments(scene);
-    add_limits(all, scene);
-    add_own_limits(all, scene);
-    for (Adjustment& one : operating_adjustments(scene)) all.push_back(std::move(one));
-    if (!scene.cam) return all;
-    add_dimensions(all, *scene.cam);
-    add_face(all, scene);
-    return all;
-}
-
-/// The bounds of corridors, each to its side.
-void add_corridors(std::vector<Adjustment>& all, const Scene& scene) {
-    for (const WrittenBound& bound : motion_bounds(scene)) {
-        if (bound.corridor < 0) continue;
-        const auto index = static_cast<std::size_t>(bound.corridor);
-        const double size = std::max(std::abs(bound.given), bound.per_normalised);
-        const double end = bound.given + bound.sign * farthest_operating_change * size;
-        all.push_back(
-            number_adjustment(bound.key, bound.given, size,
-                              Range::between(std::min(bound.given, end), std::max(bound.given, end)),
-                              [index, order = static_cast<std::size_t>(bound.order), least = bound.sign < 0,
-                               unit = bound.per_normalised](Scene& changed, double value) {
-                                  Corridor::Bounds& bounds = changed.motion.corridors[index].bounds[order];
-                                  (least ? bounds.least : bounds.most) = value / unit;
-                              }));
-        all.back().limit = true;
-        all.back().usefulness = Usefulness::limit;
-        all.back().begin = bound.from;
-        all.back().end = bound.until;
-    }
-}
-
-std::vector<Adjustment> peak_adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
     add_corridors(all, scene);
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits)) all.push_back(peak_adjustment(*limit, row));
-    return all;
-}
-
-std::vector<Adjustment> operating_adjustments(const Scene& scene) {
-    std::vector<Adjustment> all;
-    LimitSpec of_contact = scene.limits;
-    of_contact.spring_harmonic.reset();  // of the motion: no spring and no width changes it
-    if (scene.forces && limits_forces(of_contact)) {
-        add_springs(all, scene);
-        add_contact_width(all, scene);
-    }
+    for (Adjustment& one : motion_adjustments(scene)) all.push_back(std::move(one));
+    add_limits(all, scene);
+    add_own_limits(all, scene);
+    add_forces(all, scene);
     add_speed(all, scene);
+    if (!scene.cam) return all;
+    add_dimensions(all, *scene.cam);
+    add_face(all, scene);
     return all;
 }
 

@@ -3,7 +3,7 @@
 // file gives in units keeps its value in units, so that the file with the changed numbers is the scene.
 #include "scene/motion/set_points.hpp"
 #include "scene/part_names.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "studies/least/adjustment.hpp"
 
 #include <fmt/format.h>
 
@@ -143,12 +143,13 @@ void add_segment_angle(std::vector<Adjustment>& all, const Scene& scene, std::si
                                          : (1.0 - least_dwell_left) * motion.segments[giver].angle;
     Adjustment adjustment = number_adjustment(
         own.key, given, given, Range::between(given, given + std::max(as_written(room / unit), 0.0)),
-        [which, giver, unit](Scene& changed, double value) {
+        [which, giver, unit, other = giver == nothing ? unit : WrittenAngle(scene, giver).unit](
+            Scene& changed, double value) {
             std::vector<double> angles;
             for (const ProgramSegment& segment : changed.motion.segments) angles.push_back(segment.angle);
             const double more = value * unit - angles[which];
-            angles[which] += more;
-            if (giver != nothing) angles[giver] -= more;
+            angles[which] = value * unit;
+            if (giver != nothing) angles[giver] = as_written((angles[giver] - more) / other) * other;
             changed = with_segment_angles(changed, angles);
         });
     adjustment.usefulness = Usefulness::angle;

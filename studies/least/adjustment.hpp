@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user could change about an infeasible scene: one table of numbers, each with its range and the scene
-// that has another value of it.
+// The numbers of a scene that can be moved: one list, for the least value of one of them and for suggested
+// changes. Each has its range and the scene that has another value of it.
 #pragma once
 
 #include "scene/key_row.hpp"
@@ -39,15 +39,9 @@ struct Adjustment {
 [[nodiscard]] Adjustment number_adjustment(std::string key, double given, double size, const Range& range,
                                            std::function<void(Scene& scene, double value)> set);
 
-/// Everything that may be changed but set points: angles, every limit, every dimension of the cam, springs,
-/// speed, lift and displacements of a program.
+/// Everything that may be changed but set points: bounds of corridors, caps on peaks, angles, every other
+/// limit, springs, speed, every dimension of the cam, lift and displacements of a program.
 [[nodiscard]] std::vector<Adjustment> adjustments(const Scene& scene);
-
-/// The caps on peaks.
-[[nodiscard]] std::vector<Adjustment> peak_adjustments(const Scene& scene);
-
-/// Preload, spring rate, width of contact, and the speed that forces and limits in time depend on.
-[[nodiscard]] std::vector<Adjustment> operating_adjustments(const Scene& scene);
 
 /// Angles of rise, return and segments (each with the dwell that gives way), the lift, displacements `to`,
 /// velocities of motion.start and motion.end.
@@ -70,20 +64,5 @@ struct SetPointChanges {
     std::optional<Adjustment> place;  ///< its cam angle; not of a region
 };
 [[nodiscard]] std::vector<SetPointChanges> set_point_changes(const Scene& scene);
-
-// For a scene without a motion: what would have to change.
-//
-//   set points without which there is a motion, and the least change of one of their numbers;
-//   the least change of each angle, dimension, limit, … alone, the others kept; more segments of the spline;
-//   where no limit alone can give way far enough, the least common change of all limits.
-//
-// The most useful come first (Usefulness), and the search ends with solver.explain_changes useful ones or
-// after solver.explain_seconds. Values are searched by value_search.hpp. Nothing is told that was not solved:
-// each number, as it is rounded for people, was put into the scene, and a solve with it found a motion. Each
-// change ends within its share of the time; one whose search does not is named as such.
-
-/// Fills relaxation and explanation of a solution that is infeasible or failed for want of a feasible point.
-/// control.deadline: what the solve has left of solver.max_seconds.
-void explain(Solution& solution, const SolveControl& control);
 
 }  // namespace camopt

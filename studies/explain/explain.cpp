@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "studies/explain/explain.hpp"
+
 #include "objectives/motion_bounds.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
-#include "studies/explain/value_search.hpp"
+#include "studies/explain/solved_changes.hpp"
+#include "studies/least/feasible_edge.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
@@ -51,9 +54,8 @@ Scene only_limits(const Scene& scene, const std::vector<std::string>& keys) {
 
 /// Every limit, corridors too.
 std::vector<Adjustment> limit_changes(const Scene& scene) {
-    std::vector<Adjustment> limits = peak_adjustments(scene);
-    for (Adjustment& one : adjustments(scene))
-        if (one.limit) limits.push_back(std::move(one));
+    std::vector<Adjustment> limits = adjustments(scene);
+    std::erase_if(limits, [](const Adjustment& one) { return !one.limit; });
     return limits;
 }
 
@@ -291,14 +293,14 @@ class Explainer {
 
     /// Everything that can be changed, the most useful first. What the proof does not rest on comes last.
     [[nodiscard]] std::vector<Adjustment> ordered_changes() const {
-        std::vector<Adjustment> all = peak_adjustments(scene_);
+        std::vector<Adjustment> all = adjustments(scene_);
         const bool in_time = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& one) {
             const std::optional<PeakLimit>& limit = one.in(scene_.limits);
             return limit && limit->physical();
         });
         const bool in_space = scene_.cam.has_value() || in_time;
-        for (Adjustment& one : adjustments(scene_))  // a motion in lifts has no dimensions that could help
-            if (in_space || one.limit) all.push_back(std::move(one));
+        if (!in_space)  // a motion in lifts has no dimensions that could help
+            std::erase_if(all, [](const Adjustment& one) { return !one.limit; });
         const std::vector<ConflictReport>& conflict = solution_.conflict;
         const auto takes_part = [&](const Adjustment& one) {
             return conflict.empty() || std::ranges::any_of(conflict, [&](const ConflictReport& row) {
