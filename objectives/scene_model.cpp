@@ -154,10 +154,19 @@ void add_cap(CamModel& model, const PeakLimit& limit, int order, double most, in
     }
 }
 
-/// The two rules that make parameter `index` the peak of |y^{(order)}|: in a program on each spline stretch.
-void add_peak_rules(CamModel& model, const WeightedPeak& source, int index) {
-    const auto add = [&](double reference, int stretch) {
+/// The two rules that make parameter `index` the peak of |y^{(order)}|, or of |y' y''|: in a program on each
+/// spline stretch.
+void add_epigraph(CamModel& model, const WeightedPeak& source, int index) {
+    const auto add = [&](const StretchScale& scale, int stretch) {
+        const double moved = source.reference * scale.displacement;
+        const double reference = source.kind == Parameter::Kind::torque
+                                     ? moved * scale.displacement / std::pow(scale.angle, 3)
+                                     : moved / std::pow(scale.angle, source.order);
         for (const int sign : {1, -1}) {
+            if (source.kind == Parameter::Kind::torque) {
+                model.rules.emplace_back(std::make_shared<TorqueRule>(sign, index, reference), stretch);
+                continue;
+            }
             LinearBound peak{std::string(sign > 0 ? "+" : "-") + derivative_names[source.order], source.order,
                              sign};
             peak.scale = reference;
@@ -166,26 +175,9 @@ void add_peak_rules(CamModel& model, const WeightedPeak& source, int index) {
             model.rules.push_back(peak.rule());
         }
     };
-    if (model.stretch_scales.empty()) return add(source.reference, -1);
-    for (int s = 0; s < static_cast<int>(model.design.own_stretches().size()); ++s) {
-        if (model.design.stretches()[s].kind != StretchRequest::Kind::spline) continue;
-        const StretchScale& scale = model.stretch_scales[s];
-        add(source.reference * scale.displacement / std::pow(scale.angle, source.order), s);
-    }
-}
-
-/// The same for the torque peak of parameter `index`, max |y' y''|.
-void add_torque_rules(CamModel& model, double reference, int index) {
-    const auto add = [&](double scaled, int stretch) {
-        for (const int sign : {1, -1})
-            model.rules.emplace_back(std::make_shared<TorqueRule>(sign, index, scaled), stretch);
-    };
-    if (model.stretch_scales.empty()) return add(reference, -1);
-    for (int s = 0; s < static_cast<int>(model.design.own_stretches().size()); ++s) {
-        if (model.design.stretches()[s].kind != StretchRequest::Kind::spline) continue;
-        const StretchScale& scale = model.stretch_scales[s];
-        add(reference * scale.displacement * scale.displacement / std::pow(scale.angle, 3), s);
-    }
+    if (model.stretch_scales.empty()) return add({}, -1);
+    for (int s = 0; s < static_cast<int>(model.design.own_stretches().size()); ++s)
+        if (model.design.stretches()[s].kind == StretchRequest::Kind::spline) add(model.stretch_scales[s], s);
 }
 
 std::string name_of_term(const WeightedPeak& source) {
@@ -279,10 +271,8 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference, cons
         const int index = static_cast<int>(model.parameters.size());
         model.parameters.push_back(
             {name_of_term(source), source.kind, source.order, source.reference, source.weight});
-        if (source.kind == Parameter::Kind::torque) add_torque_rules(model, source.reference, index);
-        if (!peak) continue;
-        add_peak_rules(model, source, index);
-        if (limit && !caps_motion) {
+        if (source.kind != Parameter::Kind::rms) add_epigraph(model, source, index);
+        if (peak && limit && !caps_motion) {
             const double upper = limit->normalised / source.reference;
             model.parameter_rows.push_back({limit->key, {index}, {1.0}, upper, true, upper});
         }
