@@ -25,6 +25,7 @@ const char* name_of_kind(MechanismShape::Kind kind) {
 Json parts_of(const ProfileShape& shape, const std::vector<double>& angles) {
     std::vector<std::vector<MechanismShape>> course;
     const std::pair<double, double> reach = reach_of_face(shape);
+    course.reserve(angles.size());
     for (const double theta : angles) course.push_back(drawn_parts(shape, theta, reach));
     Json parts = Json::array();
     for (std::size_t k = 1; k < course.front().size(); ++k) {  // the first is the cam's centre

@@ -241,7 +241,7 @@ class CamSheetMaker {
     bool make_way(const Vector2d& other, double near) {
         const double apart = std::remainder(direction_angle(other) - direction_angle(datum_), units::turn);
         if (std::abs(apart) > near) return false;
-        DrawnText& word = std::get<DrawnText>(draw().elements.back());
+        auto& word = std::get<DrawnText>(draw().elements.back());
         const Vector2d left(-datum_.y(), datum_.x());
         const Vector2d away = apart < 0.0 ? left : Vector2d(-left);
         if (word.anchor == TextSide::middle) {

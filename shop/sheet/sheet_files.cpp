@@ -35,6 +35,7 @@ DxfLine line_of(SheetPen pen) {
 
 std::vector<DxfStyle> dxf_styles(const Drawing& drawing) {
     std::vector<DxfStyle> styles;
+    styles.reserve(sheet_styles.size());
     for (const SheetStyle& style : sheet_styles)
         styles.push_back(
             {style.name, style.layer, style.color, line_of(style.pen), style.pen == SheetPen::filled});
