@@ -156,17 +156,6 @@ std::string surface_text(const TradeOffSurface& surface, double asked_for) {
         solves, short_text(surface.error, 3), end_words(surface, asked_for));
 }
 
-std::vector<PeakTriple> peaks_of(const TradeOffSurface& surface) {
-    std::vector<PeakTriple> peaks;
-    for (const SweepRow& row : surface.table.rows) {
-        if (!row.is_feasible()) continue;
-        PeakTriple point = surface.point(row);
-        for (std::size_t k = 0; k < 3; ++k) point[k] *= surface.reference[k];
-        peaks.push_back(point);
-    }
-    return peaks;
-}
-
 ExitCode surface_exit_code(const TradeOffSurface& surface) {
     if (surface.end == SurfaceEnd::interrupted) return interrupted;
     if (surface.end != SurfaceEnd::no_motion) return success;
