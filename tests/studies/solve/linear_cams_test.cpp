@@ -20,16 +20,33 @@ using namespace testing_support;
 /// A rise of 20 mm while the plate slides by `travel_mm`, in 24 cubic segments.
 TestScene wedge(double travel_mm, double inclination_deg,
                 const std::string& follower = "translating_roller") {
-    TestScene scene =
-        scene_named("linear_knife")
-            .with("motion.lift_mm = 20", "motion.rise_deg = 60", "limits.pressure_angle_deg = 30",
-                  "objective.reference = { velocity = 1.76, acceleration = 5.53, jerk = 69 }")
-            .set("cam.travel_mm", 6.0 * travel_mm)
-            .set("cam.inclination_deg", inclination_deg)
-            .set("limits.concave_radius_min_mm", 1e-3);
-    return follower == "translating_knife"
-               ? scene
-               : scene.set("cam.follower", follower).with("cam.roller_radius_mm = 0.5");
+    const TestScene scene(R"(
+[motion]
+type = "DRD"
+lift_mm = 20
+rise_deg = 60
+[spline]
+degree = 3
+segments = 24
+[objective]
+velocity = 0.4
+acceleration = 0.4
+jerk = 0.2
+reference = { velocity = 1.76, acceleration = 5.53, jerk = 69 }
+[cam]
+type = "linear"
+follower = "translating_knife"
+travel_mm = 100
+base_height_mm = 25
+[limits]
+pressure_angle_deg = 30
+[solver]
+tolerance = 1e-11
+)");
+    const TestScene own =
+        scene.set("cam.travel_mm", 6.0 * travel_mm).set("cam.inclination_deg", inclination_deg);
+    if (follower == "translating_knife") return own;
+    return own.set("cam.follower", follower).with("cam.roller_radius_mm = 0.5");
 }
 
 struct Reference {
@@ -60,6 +77,19 @@ TEST(LinearCams, TooShortTravelIsProvedImpossible) {
     // Any rise of 20 mm within 20 mm of travel has s_u = 1 somewhere: tan φ >= 1.
     const Solution solution = solve(wedge(20.0, 0.0));
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
+}
+
+TEST(LinearCams, ShortestTravelIsThatOfTheSlowestRise) {
+    const auto least = [](const TestScene& scene, const std::string& key) {
+        const Solution solution = solve(scene.set("objective.least", key).with("objective.least_gap = 1e-6"));
+        EXPECT_TRUE(solution.least && solution.least->impossible);
+        EXPECT_EQ(solution.least->verdict, Verdict::optimal);
+        return solution.least->value;
+    };
+    // tan 30° is reached where s' is largest: V = tan φ travel / lift on the rise, a sixth of the cycle.
+    const double slowest = least(wedge(200.0, 0.0), "limits.velocity");
+    const double shortest = least(wedge(200.0, 0.0), "cam.travel_mm");
+    EXPECT_NEAR(shortest, 6.0 * 20.0 * slowest * std::sqrt(3.0), 3e-6 * shortest);
 }
 
 TEST(LinearCams, TravelOfARangeIsSearched) {
