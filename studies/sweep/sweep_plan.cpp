@@ -241,9 +241,9 @@ const Scene& SweepScenes::scene(int row) {
 }
 
 bool is_safe_in_threads(const Scene& scene) {
-    const SolvePlan how = plan(scene);
+    const SolvePlan how = plan(scene);  // how.next_solver is rare: it waits for its turn
     return std::ranges::all_of(solver_entries(), [&](const SolverEntry& entry) {
-        return entry.safe_in_threads || (entry.name != how.solver && entry.name != how.next_solver);
+        return entry.safe_in_threads || entry.name != how.solver;
     });
 }
 

@@ -66,7 +66,7 @@ class SweepScenes {
 
 // Every row of a sweep looked at before anything is solved.
 
-/// Whether every solver that the scene's plan may take runs in several threads at once.
+/// Whether the solver that the scene's plan takes first runs in several threads at once.
 [[nodiscard]] bool is_safe_in_threads(const Scene& scene);
 
 /// Makes the scene of every row and checks what solve() would refuse. Throws InputError naming the first row

@@ -62,10 +62,13 @@ int RunningProgram::wait() {
 }
 
 std::vector<pid_t> RunningProgram::children() const {
-    const std::string number = std::to_string(process_);
-    std::ifstream list("/proc/" + number + "/task/" + number + "/children");
     std::vector<pid_t> found;
-    for (pid_t child = 0; list >> child;) found.push_back(child);
+    std::error_code gone;  // each thread lists the children that it forked
+    for (const auto& thread :
+         std::filesystem::directory_iterator("/proc/" + std::to_string(process_) + "/task", gone)) {
+        std::ifstream list(thread.path() / "children");
+        for (pid_t child = 0; list >> child;) found.push_back(child);
+    }
     return found;
 }
 

@@ -44,10 +44,13 @@ def wait_for(condition, seconds=60):
 
 def children(process):
     """The processes that this one started."""
-    try:
-        return [int(word) for word in pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()]
-    except FileNotFoundError:
-        return []
+    found = []
+    for thread in pathlib.Path(f"/proc/{process}/task").glob("*/children"):
+        try:
+            found += map(int, thread.read_text().split())
+        except (FileNotFoundError, ProcessLookupError):
+            pass
+    return found
 
 
 def descendants(process):
