@@ -47,7 +47,7 @@ A whole cam as points: sampled_profile(cam, motion, scale, sampling), with s = l
   profiles/sampling.hpp)
 camopt_promise(cam_spec [[
 The cam of a scene, of any kind (type, choices, dimensions, rotation; disk_cam.hpp, remote_cam.hpp,
-spatial_cam.hpp, inverse_cam.hpp make one each), and what its follower carries. m, rad, kg, N.]]
+spatial_cam.hpp, inverse_cam.hpp, linear_cam.hpp make one each), and what its follower carries. m, rad, kg, N.]]
   scene/cam_spec.hpp)
 camopt_promise(certificate [[
 What was found, and the proof of it. For any multipliers λ and a box [l, u] that holds an optimum
@@ -132,6 +132,10 @@ camopt_promise(licenses [[
 Which libraries of others are in this build, and under what terms a binary of it may be passed on:
 licensed_parts(), terms_of_binary().]]
   core/version.hpp)
+camopt_promise(linear_cam [[
+Linear (plate) cams: scene.cam = linear_spec(follower) with its numbers puts a plate that slides under a
+roller, an edge or an arm into a scene. m, rad.]]
+  profiles/linear/linear_mechanism.hpp)
 camopt_promise(machine [[
 A machine of several axes on one master, with clearances between them: solve_machine(machine) finds the
 largest speed at which motions exist, or the least total objective at a given one, with the proof;

@@ -50,9 +50,11 @@ class MechanismReader {
         if (const CamVariant* const found = kind_.variant(word)) return *found;
         std::vector<std::string_view> allowed;
         for (const CamVariant& variant : kind_.variants) allowed.emplace_back(variant.word);
+        const auto refused = std::ranges::find(kind_.refused, word, &CamSynonym::word);
+        const std::string why = refused == kind_.refused.end() ? "" : fmt::format(" ({})", refused->meant);
         source_.fail_member(fmt::format("{}.{}", kind_.choosing_table, kind_.choosing_key),
-                            fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: {}", word,
-                                        kind_.type, quoted_choices(allowed)));
+                            fmt::format("found \"{}\" for a cam of type \"{}\"{}; allowed: {}", word,
+                                        kind_.type, why, quoted_choices(allowed)));
     }
     /// Including the numbers that are not dimensions of the spec.
     [[nodiscard]] CamSpec with_given(const CamSpec& spec) const {

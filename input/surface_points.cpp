@@ -144,7 +144,7 @@ SurfaceProbe surface_probe(const CamSpec& cam, double probe_radius) {
     const std::shared_ptr<const CamMechanism> formulas = cam.formulas();
     const std::vector<double> dimensions = cam.middle();
     std::optional<FollowerGeometry> follower = formulas->follower(dimensions, 0);
-    if (!follower || follower->linkage)
+    if (!follower || follower->linkage || follower->slide)
         throw SceneError({"measured", fmt::format("points of a cam of type \"{}\"", cam.type),
                           "points of a \"disk\" cam, or displacements"});
     SurfaceProbe probe{*std::move(follower), probe_radius, 0.0, sense_of(formulas->rotation())};

@@ -328,7 +328,6 @@ void add_cam(CamModel& model, const Scene& scene) {
         if (!signless && weight > 0.0) add_magnitude(model, index, weight * reference);
         cam->variables.push_back({static_cast<int>(d), index, reference});
     }
-    cam->own_variables = cam->variables.size();
     if (scene.forces) add_spring(model, *cam, *scene.forces);
     model.cam = cam;
     add_reach_rows(model, *spec);

@@ -88,8 +88,11 @@ class PlaneMechanism {
 
     /// Its parts in one state, first the centre of the cam (a pivot).
     [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
-    /// Rotation of the cam frame in this state, rad: σθ of a cam that rotates uniformly.
-    [[nodiscard]] virtual double turned(const MechanismState& state) const = 0;
+    /// Where the cam is in this state.
+    [[nodiscard]] virtual CamPose pose(const MechanismState& state) const = 0;
+    /// It is a plate that slides along x: its outline is the surface from the first to the last point, the
+    /// sides below them, and a bottom at y = 0.
+    [[nodiscard]] virtual bool is_plate() const { return false; }
 };
 
 /// A dimension with its number, as drawings list it.
@@ -132,6 +135,11 @@ class DirectCam {
     /// (s' − σe)/(s0 + s) with s0 = √(p² − e²), and p = length(dimensions) grows with every dimension but the
     /// offset. None (default): the pressure angle has another formula.
     [[nodiscard]] virtual std::optional<double> pushed_offset(std::span<const double> /*dimensions*/) const {
+        return {};
+    }
+    /// m that a cam slides for every radian of its angle, > 0: the force that drives it is its torque divided
+    /// by this. None (default): it turns.
+    [[nodiscard]] virtual std::optional<double> slide(std::span<const double> /*dimensions*/) const {
         return {};
     }
     /// The cam can be built at rest if each of these sums is below 0.

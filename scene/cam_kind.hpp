@@ -47,7 +47,8 @@ enum class CamOutput {
     outline,       ///< a plane curve: table, picture, DXF
     sheet,         ///< a workshop drawing
     second_sheet,  ///< another of a second disk
-    solid          ///< a solid or its flanks (STEP), and the NC program that mills it
+    solid,         ///< a solid or its flanks (STEP)
+    program        ///< the NC program that mills it
 };
 
 struct CamKind {
@@ -68,6 +69,8 @@ struct CamKind {
     std::vector<KeyRow> rows;
     std::vector<CamSynonym> also_called;   ///< of keys in [cam]
     std::vector<CamSynonym> parts_called;  ///< of parts of its variants' words
+    /// Words for a variant that cannot be, each with the reason.
+    std::vector<CamSynonym> refused = {};
     /// Puts the numbers without an index that a scene gives, SI by their keys, into a spec that has all else.
     /// Throws SceneError for one that does not fit. None: there are no such numbers.
     std::function<CamSpec(const CamSpec& spec, const std::map<std::string, double>& given)> add_given = {};

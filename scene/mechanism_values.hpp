@@ -104,6 +104,13 @@ struct MechanismShape {
     double radius = 0.0;  ///< circle
 };
 
+/// Where the cam frame is in the frame that stands still: turned about the cam's centre, then shifted. A cam
+/// that rotates uniformly has turned by σθ.
+struct CamPose {
+    double turn = 0.0;                   ///< rad
+    Eigen::Vector2d shift = {0.0, 0.0};  ///< m
+};
+
 /// A mechanism with its numbers.
 struct DrivenMechanism {
     std::shared_ptr<const CamMechanism> formulas;

@@ -58,7 +58,8 @@ void add_piece(std::vector<StudioFile>& files, std::size_t piece) {
                              return exported_file(solution, step_name(solution, solid), {.origin = origin});
                          },
                          made});
-    files.push_back({key + "nc", "NC program" + end, program, "text/plain", exported_text(program), made});
+    files.push_back({key + "nc", "NC program" + end, program, "text/plain", exported_text(program),
+                     piece == 0 ? CamOutput::program : CamOutput::second_sheet});
 }
 
 std::vector<StudioFile> make_files() {

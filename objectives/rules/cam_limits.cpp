@@ -9,8 +9,8 @@ namespace cam_limit_parts {
 
 Limits::Limits(const Scene& scene, const CamVariables& variables)
     : scene_(scene), variables_(std::make_shared<const CamVariables>(variables)) {
-    active_.reserve(variables.own_variables);
-    for (std::size_t k = 0; k < variables.own_variables; ++k)
+    active_.reserve(variables.own_variables());
+    for (std::size_t k = 0; k < variables.own_variables(); ++k)
         active_.push_back(variables.variables[k].dimension);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 /// Of the variables, those that a formula depends on: the first ones.
 std::size_t count_of(const CamFormula& formula, const CamVariables& cam) {
-    return formula.of_loads ? cam.variables.size() : cam.own_variables;
+    return formula.of_loads ? cam.variables.size() : cam.own_variables();
 }
 
 RuleData data_of(const CamFormula& formula, const CamVariables& cam) {
@@ -102,7 +102,7 @@ RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) 
     ++*cam_->profile_points;
     const std::vector<double> dimensions = cam_->dimensions_for(q);
     const MechanismState state{dimensions, state_of(point, cam_->scale), cam_->scale.unit_angle * point.x};
-    return normalised(formula_.value({*cam_->cam.formulas, state, active_, cam_->own_variables}));
+    return normalised(formula_.value({*cam_->cam.formulas, state, active_, cam_->own_variables()}));
 }
 
 }  // namespace camopt

@@ -18,15 +18,18 @@ struct CamVariables {
     };
     DrivenMechanism cam;
     MotionScale scale;
-    std::vector<Variable> variables;
-    /// Of the variables: those of the cam; numbers of its spring follow.
-    std::size_t own_variables = 0;
+    std::vector<Variable> variables;  ///< dimensions of the cam, then numbers of its spring
     /// By spring_numbers: one that is variable has a place after the dimensions of the cam; −1: fixed.
     std::array<int, spring_numbers.size()> spring = {-1, -1};
     /// Number of evaluated points of the cam: shared by all rules of a problem; threads may count
     /// concurrently.
     std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
 
+    /// Of the variables: those of the cam.
+    [[nodiscard]] std::size_t own_variables() const {
+        const auto of_spring = std::ranges::count_if(spring, [](int place) { return place >= 0; });
+        return variables.size() - static_cast<std::size_t>(of_spring);
+    }
     /// The dimensions for all parameters of a problem.
     [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
     /// The dimensions for a rule's own parameters q, one for each of the variables, or of the first of them.

@@ -212,7 +212,8 @@ CamKind disk_kind() {
     for (const Follower& follower : followers) kind.variants.push_back(variant(follower));
     kind.with_angle = "an oscillating follower";
     kind.with_length = "a translating follower";
-    kind.outputs = {CamOutput::outline, CamOutput::sheet, CamOutput::second_sheet, CamOutput::solid};
+    kind.outputs = {CamOutput::outline, CamOutput::sheet, CamOutput::second_sheet, CamOutput::solid,
+                    CamOutput::program};
     kind.rows = disk_rows();
     kind.also_called = disk_synonyms();
     kind.parts_called = follower_part_synonyms();

@@ -220,8 +220,8 @@ class DiskMechanism final : public CamMechanism,
         if (form_.is_conjugate()) drawing.pieces = pieces(cam(dimensions));
         return drawing;
     }
-    [[nodiscard]] double turned(const MechanismState& state) const override {
-        return sense_of(rotation_) * state.theta;
+    [[nodiscard]] CamPose pose(const MechanismState& state) const override {
+        return {sense_of(rotation_) * state.theta};
     }
     /// A pushed follower is on a stem that is guided above the cam, a swinging one on an arm.
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {

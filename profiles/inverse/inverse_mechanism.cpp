@@ -207,16 +207,16 @@ class InverseMechanism final : public CamMechanism,
         return point;
     }
     /// The rotation of the body given by its guide.
-    [[nodiscard]] double turned(const MechanismState& state) const override {
+    [[nodiscard]] CamPose pose(const MechanismState& state) const override {
         const GuideNode found = node_at(state.dimensions, state.output, state.theta);
-        return found.fault == InverseFault::none ? -found.node.angle : nowhere;
+        return {found.fault == InverseFault::none ? -found.node.angle : nowhere};
     }
     /// Body with its pin, slotted rocker, feeder; the roller, which moves along +x.
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
         using Kind = MechanismShape::Kind;
         using Eigen::Vector2d;
         const FeederLinkage linkage = linkage_of(state.dimensions);
-        const FeederMotion moved = feeder_motion(linkage, {turned(state), 0.0, 0.0});
+        const FeederMotion moved = feeder_motion(linkage, {pose(state).turn, 0.0, 0.0});
         if (moved.fault != InverseFault::none) return {};
         const Vector2d pivot = linkage.rocker_pivot;
         const double line = pivot.x() + linkage.feeder_offset, start = number(state.dimensions, feeder_start);

@@ -8,6 +8,8 @@
 #include "profiles/disk/disk_spec.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
+#include "profiles/linear/linear_mechanism.hpp"
+#include "profiles/linear/linear_spec.hpp"
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_spec.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
@@ -24,6 +26,7 @@ struct Remote { static CamKind kind() { return remote_kind(); } static Formulas 
 struct Barrel { static CamKind kind() { return barrel_kind(); } static Formulas formulas(const CamSpec& cam) { return spatial_mechanism(cam); } };
 struct Cylindrical { static CamKind kind() { return cylindrical_kind(); } static Formulas formulas(const CamSpec& cam) { return spatial_mechanism(cam); } };
 struct Inverse { static CamKind kind() { return inverse_kind(); } static Formulas formulas(const CamSpec& cam) { return inverse_mechanism(cam); } };
+struct Linear { static CamKind kind() { return linear_kind(); } static Formulas formulas(const CamSpec& cam) { return linear_mechanism(cam); } };
 // clang-format on
 
 template <class... Row>
@@ -35,6 +38,6 @@ struct Rows {
         return makers.at(row)(cam);
     }
 };
-using All = Rows<Disk, Remote, Barrel, Cylindrical, Inverse>;
+using All = Rows<Disk, Remote, Barrel, Cylindrical, Inverse, Linear>;
 
 }  // namespace camopt::kind_rows

@@ -63,8 +63,8 @@ class RemoteCam final : public CamMechanism, public MechanismEnclosures, public 
                                                            int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
-    [[nodiscard]] double turned(const MechanismState& state) const override {
-        return sense_of(layout_.rotation) * state.theta;
+    [[nodiscard]] CamPose pose(const MechanismState& state) const override {
+        return {sense_of(layout_.rotation) * state.theta};
     }
 
     [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> dimensions,

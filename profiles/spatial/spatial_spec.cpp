@@ -122,7 +122,7 @@ CamKind kind_of(const char* type, std::vector<CamVariant> variants) {
     kind.variants = std::move(variants);
     kind.with_angle = "\"rotating\"";
     kind.with_length = "a cylindrical cam with a \"translating\" follower";
-    kind.outputs = {CamOutput::solid};
+    kind.outputs = {CamOutput::solid, CamOutput::program};
     return kind;
 }
 

@@ -92,7 +92,7 @@ class CamPicture {
 
     void draw_labels(SvgCanvas& canvas) const {
         PlacedTexts labels = labels_of(drawing_, place_, crossed);
-        if (!shape_.picture.turns) return label_guide(canvas, labels);
+        if (shape_.picture.outline == CamOutline::slot) return label_guide(canvas, labels);
         const std::vector<MechanismShape> parts = placed_parts(shape_, shape_.start, shape_.start);
         for (const MechanismShape& part : parts)
             if (part.kind == Kind::circle) {
@@ -123,7 +123,8 @@ class CamPicture {
             places.push_back(
                 {px.x() + side * inwards.x(), px.y() + side * inwards.y() + 4, TextSide::middle});
         }
-        labels.draw(canvas, fmt::format("{:.0f}°", turned_degrees(mark.theta)), places,
+        const double angle = shape_.is_plate() ? degrees_shown.of(mark.theta) : turned_degrees(mark.theta);
+        labels.draw(canvas, fmt::format("{:.0f}°", angle), places,
                     shape_.closed ? "mark-label" : "mark-label bare", mark_font);
     }
     static void add_places(std::vector<TextPlace>& places, const Vector2d& px, double distance) {
@@ -183,7 +184,7 @@ class CamPicture {
             column.value("face half width", shape_.length.text(*shape_.face_half_width));
         else if (shape_.has_pushed_face())
             column.words("face: no width given, drawn as needed");
-        const bool turns = shape_.picture.turns;
+        const bool turns = shape_.picture.outline == CamOutline::round;
         if (turns) column.words(fmt::format("turns {}", name_of(shape_.formulas().rotation())));
         if (!direct) add_figures(column, solution);
         if (!shape_.open_because.empty())

@@ -17,9 +17,10 @@ using PartKind = MechanismShape::Kind;
 
 constexpr int outline_steps = 1440;  // a quarter of a degree
 constexpr double mark_step = 30 * degree, ghost_step = 60 * degree;
-constexpr double ghost_length = 0.45, face_margin = 0.12;  // of the size, below
-constexpr double guide_begin = 0.6, guide_end = 0.9;       // of a stem
-constexpr double arrow_radius = 0.42;                      // of the cam's least
+constexpr double ghost_length = 0.45, face_margin = 0.12;   // of the size, below
+constexpr double guide_begin = 0.6, guide_end = 0.9;        // of a stem
+constexpr double arrow_radius = 0.42;                       // of the cam's least
+constexpr double travel_arrow = 0.2, travel_height = 0.35;  // of the plate's length and height
 constexpr double arrow_begin = 35 * degree, arrow_end = 145 * degree;
 constexpr double cross_px = 9, head_px = 9, mark_px = 8, ring_px = 14, joint_px = 3.2, dot_px = 2,
                  pivot_px = 4.5, slider_px = 5, plate_px = 7;
@@ -120,6 +121,21 @@ void add_undercut(Drawing& drawing, const ProfileShape& side, const Vector2d& ce
     }
 }
 
+/// In the middle of a plate, the way that it slides.
+void add_travel(Drawing& drawing, const ProfileShape& shape, double px) {
+    const Vector2d first = in_plane(shape.at(shape.begin()).contact),
+                   last = in_plane(shape.at(shape.end()).contact);
+    const Vector2d middle(0.5 * (first.x() + last.x()), travel_height * shape.base_radius());
+    const Vector2d way = Vector2d::UnitX() * (first.x() < last.x() ? -1.0 : 1.0);
+    const double half = 0.5 * travel_arrow * std::abs(last.x() - first.x());
+    const Vector2d tip = middle + half * way, head = head_px * px * way;
+    drawing.line("arrow", middle - half * way, tip);
+    drawing.polyline("arrow-head",
+                     std::array<Vector2d, 3>{tip + head, tip + 0.45 * Vector2d(-head.y(), head.x()),
+                                             tip - 0.45 * Vector2d(-head.y(), head.x())},
+                     true);
+}
+
 /// A cross at the centre, and an arrow in the sense in which the cam turns.
 void add_rotation(Drawing& drawing, const ProfileShape& shape, const Vector2d& center, double px) {
     const double sense = sense_of(shape.formulas().rotation()), radius = arrow_radius * shape.base_radius();
@@ -148,16 +164,26 @@ SideCurve sampled_curve(int count) {
     };
 }
 
+std::vector<ArcVertex> body_outline(const ProfileShape& shape, std::vector<ArcVertex> surface) {
+    if (!shape.is_plate()) return surface;
+    const double first = surface.front().position.x(), last = surface.back().position.x();
+    surface.push_back({{last, 0.0}, 0.0});
+    surface.push_back({{first, 0.0}, 0.0});
+    return surface;
+}
+
 Drawing cam_outlines(const ProfileShape& shape, const SideCurve& curve) {
     Drawing drawing;
-    const bool turns = shape.picture.turns;
-    drawing.path(turns ? "cam" : "wall-left", curve(shape, true), shape.closed);
+    const bool turns = shape.picture.outline == CamOutline::round,
+               slot = shape.picture.outline == CamOutline::slot;
+    drawing.path(slot ? "wall-left" : "cam", body_outline(shape, curve(shape, true)),
+                 shape.closed || shape.is_plate());
     if (turns) drawing.circle("circle", {0.0, 0.0}, shape.base_radius());
     if (shape.has_roller()) drawing.path("pitch", curve(shape, false), shape.closed);
     if (turns && shape.has_roller()) drawing.circle("prime", {0.0, 0.0}, shape.prime_radius());
     if (shape.other) {
         const ProfileShape other = other_side(shape);
-        const char* const style = !turns ? "wall-right" : shape.is_grooved() ? "groove" : "second";
+        const char* const style = slot ? "wall-right" : shape.is_grooved() ? "groove" : "second";
         drawing.path(style, curve(other, true), shape.closed);
         if (const std::optional<double> rim = rim_radius(shape)) drawing.circle("rim", {0.0, 0.0}, *rim);
         if (shape.has_two_disks()) drawing.path("second-pitch", curve(other, false), shape.closed);
@@ -170,6 +196,7 @@ Drawing cam_outlines(const ProfileShape& shape, const SideCurve& curve) {
 
 std::string outline_words(const ProfileShape& shape, std::string_view style) {
     const CamMechanism& cam = shape.formulas();
+    if (shape.is_plate() && style == "cam") return "plate";
     if (style == "cam" || style == "wall-left")
         return shape.other && !shape.is_grooved() ? cam.station_name(0) : "cam";
     if (style == "second" || style == "wall-right") return cam.station_name(1);
@@ -211,7 +238,7 @@ std::vector<MechanismShape> placed_parts(const ProfileShape& shape, double theta
 }
 
 void add_mechanism(Drawing& drawing, const ProfileShape& shape) {
-    if (!shape.picture.turns) return add_guide(drawing, shape);
+    if (shape.picture.outline == CamOutline::slot) return add_guide(drawing, shape);
     drawing.move(center_of(shape));
     const std::pair<double, double> reach = reach_of_face(shape), ends = ends_of_output(shape);
     const bool direct = shape.direct.has_value();
@@ -260,12 +287,15 @@ void add_marks(Drawing& drawing, const ProfileShape& shape, double px) {
                          true);
         pin("pivot", at, pivot_px);
     };
-    if (!shape.picture.turns) return stand(center);
+    if (shape.picture.outline == CamOutline::slot) return stand(center);
     add_undercut(drawing, shape, center, px);
     if (shape.other) add_undercut(drawing, other_side(shape), center, px);
     for (const AngleMark& mark : angle_marks(shape))
         drawing.line("mark", mark.at, mark.at + mark_px * px * mark.inwards);
-    add_rotation(drawing, shape, center, px);
+    if (shape.is_plate())
+        add_travel(drawing, shape, px);
+    else
+        add_rotation(drawing, shape, center, px);
     for (const MechanismShape& part :
          turned_back(shape, drawn_parts(shape, shape.start, reach_of_face(shape)), shape.start)) {
         const Vector2d first = part.points.front(), last = part.points.back();

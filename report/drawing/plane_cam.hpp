@@ -2,7 +2,8 @@
 // The drawing of a plane cam of any kind: one description for pictures, DXF files, sheets and pages. m.
 //
 //   cam_outlines     cam frame (profile_shape.hpp): cam; second, second-pitch (conjugate disks); groove, rim;
-//                    wall-left, wall-right (guide); pitch, circle (base), prime; open
+//                    wall-left, wall-right (guide); pitch, circle (base), prime; open. A plate's cam is its
+//                    whole body
 //   add_mechanism    link, face, roller, guide where the motion begins; ghost: a disk cam's follower
 //                    every 60° of the cam, a linkage at both ends of its output; slot, and the roller of a
 //                    guide at both ends
@@ -19,6 +20,9 @@ namespace camopt {
 using SideCurve = std::function<std::vector<ArcVertex>(const ProfileShape& side, bool of_cam)>;
 /// Straight between that many points.
 [[nodiscard]] SideCurve sampled_curve(int count);
+
+/// A curve of the cam as the line around its body: of a plate with the sides and the bottom.
+[[nodiscard]] std::vector<ArcVertex> body_outline(const ProfileShape& shape, std::vector<ArcVertex> surface);
 
 [[nodiscard]] Drawing cam_outlines(const ProfileShape& shape, const SideCurve& curve);
 /// "base circle": what an outline is to a reader.

@@ -32,7 +32,8 @@ void set_cam(ProfileShape& shape, const DrivenMechanism& cam) {
 
 Vector2d ProfileShape::turned_back(const Vector2d& fixed, double theta) const {
     const Vector2d center = parts(theta).front().points.front();
-    return center + Eigen::Rotation2Dd(-formulas().plane()->turned(state(theta))) * (fixed - center);
+    const CamPose pose = formulas().plane()->pose(state(theta));
+    return center + Eigen::Rotation2Dd(-pose.turn) * (fixed - center - pose.shift);
 }
 
 ProfileShape other_side(const ProfileShape& shape) {
@@ -95,7 +96,8 @@ std::optional<ProfileShape> plane_shape(const View& view) {
     if (view.solution.scene.cam) shape.face_half_width = view.solution.scene.cam->face_half_width;
     if (!shape.formulas().base_radius(shape.cam.dimensions))
         shape.least_radius = view.solution.cam->summary.base_radius;
-    if (!shape.closed && shape.picture.turns) shape.open_because = open_because(view.solution);
+    if (!shape.closed && shape.picture.outline == CamOutline::round)
+        shape.open_because = open_because(view.solution);
     shape.length = view.units.length;
     return shape;
 }

@@ -48,6 +48,8 @@ struct ProfileShape {
         return formulas().radius_quantity() == MechanismQuantity::cam_radius;
     }
     [[nodiscard]] bool has_pushed_face() const { return has_face() && !cam.formulas->swings(); }
+    /// A body with the outline above, its sides and its bottom.
+    [[nodiscard]] bool is_plate() const { return picture.outline == CamOutline::plate; }
     [[nodiscard]] bool is_grooved() const { return direct && direct->groove_wall; }
     /// Its two sides are disks on one shaft.
     [[nodiscard]] bool has_two_disks() const { return other && direct && !direct->pieces.empty(); }
@@ -57,7 +59,7 @@ struct ProfileShape {
     [[nodiscard]] std::vector<MechanismShape> parts(double theta) const {
         return formulas().plane()->shapes(state(theta));
     }
-    /// A point that stands still, in the cam frame turned by θ, whose centre stays where it is.
+    /// A point that stands still, in the cam frame as it is at θ, whose centre stays where it is.
     [[nodiscard]] Eigen::Vector2d turned_back(const Eigen::Vector2d& fixed, double theta) const;
 };
 

@@ -94,18 +94,22 @@ Json plane_drawing(const View& view) {
     }
     const Vector2d center = shape->parts(shape->start).front().points.front();
     std::vector<double> angles;
-    Json turned = Json::array(), contact = Json::array(), middle = Json::array();
+    Json turned = Json::array(), shifted = Json::array(), contact = Json::array(), middle = Json::array();
     for (const DeliveredRow& row : view.delivered.rows) {
         angles.push_back(unit_angle * row.x);
-        const double turn = cam.formulas->plane()->turned(shape->state(angles.back()));
-        turned.push_back(rounded_json(view.units.angle.of(turn)));
-        append(contact, shape->length, center + Eigen::Rotation2Dd(turn) * row.cam.front().contact.head<2>());
+        const CamPose pose = cam.formulas->plane()->pose(shape->state(angles.back()));
+        turned.push_back(rounded_json(view.units.angle.of(pose.turn)));
+        append(shifted, shape->length, pose.shift);
+        append(contact, shape->length,
+               center + pose.shift + Eigen::Rotation2Dd(pose.turn) * row.cam.front().contact.head<2>());
     }
     append(middle, shape->length, center);
-    return {{"unit", shape->length.name},       {"rotation", sense_of(cam.formulas->rotation())},
-            {"center", std::move(middle)},      {"outlines", outlines_of(*shape)},
-            {"turned", std::move(turned)},      {"contact", std::move(contact)},
-            {"parts", parts_of(*shape, angles)}};
+    Json drawing = {{"unit", shape->length.name},       {"rotation", sense_of(cam.formulas->rotation())},
+                    {"center", std::move(middle)},      {"outlines", outlines_of(*shape)},
+                    {"turned", std::move(turned)},      {"contact", std::move(contact)},
+                    {"parts", parts_of(*shape, angles)}};
+    if (cam.formulas->plane()->is_plate()) drawing["shifted"] = std::move(shifted);
+    return drawing;
 }
 
 }  // namespace camopt

@@ -31,6 +31,7 @@
 //                   cam frame
 //     circles[]     name, radius about the centre
 //     turned[]      by angle: degrees by which the cam frame has turned
+//     shifted[]     by angle: x, y by which the frame of a plate has moved; absent: a cam that turns
 //     contact[]     by angle: x, y
 //     parts[]       kind ("link", "circle", "pivot", "guide", "face"), name, radius, count (of points) and
 //                   points[x, y, …] by angle; a part that never moves has one set of points

@@ -109,6 +109,11 @@ std::string rest_of_the_turn(const Solution& solution) {
     if (motion.type == MotionType::rr)
         return fmt::format("The motion takes {} deg; the other {} deg of the cam are a dwell on its base.",
                            short_text(degrees_shown.of(angle)), short_text(degrees_shown.of(rest)));
+    if (presentation_of(solution.cam->cam).picture.outline == CamOutline::plate)
+        return fmt::format(
+            "The profile is that of the motion, {} deg of the cycle; the plate is drawn with the dwells on "
+            "either side.",
+            short_text(degrees_shown.of(angle)));
     return fmt::format(
         "The profile is the sector of the motion, {} deg; the rest of the revolution is left open.",
         short_text(degrees_shown.of(angle)));

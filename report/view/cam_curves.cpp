@@ -180,6 +180,15 @@ void add_loads(std::vector<Curve>& all, const View& view) {
                LimitedFigure::torque,
                1,
                true}));
+    if (summary->driving_force)
+        all.push_back(load_curve(
+            view, {{"driving_force", "forces", "Force along the travel, > 0: the plate is pushed", "P",
+                    view.units.force},
+                   [](const FollowerLoads& one) { return one.driving_force.value_or(std::nan("")); },
+                   {summary->driving_force},
+                   std::nullopt,
+                   1,
+                   true}));
     if (view.solution.cam->summary.no_contact) return;  // neither exists
     if (summary->normal_force)
         all.push_back(

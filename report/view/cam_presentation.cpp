@@ -34,6 +34,20 @@ std::string output_words(const std::string& run, const CheckWords& words) {
     return fmt::format("{}: the output {} (at {} deg)", run, words.found, words.where);
 }
 
+bool is_plate(const DrivenMechanism& cam) {
+    const PlaneMechanism* const plane = cam.formulas->plane();
+    return plane != nullptr && plane->is_plate();
+}
+
+std::string undercut_of_plate(const CamMechanism& /*cam*/) {
+    return "the plate's surface intersects itself there; the remaining part does not guide the roller as "
+           "designed. A smaller roller or a longer travel helps";
+}
+
+std::string check_of_plate(const DrivenMechanism& /*cam*/, const CheckWords& words) {
+    return output_words(fmt::format("a follower run over {} points of the plate", words.points), words);
+}
+
 std::string undercut_of_linkage(const CamMechanism& /*cam*/) {
     return "the cam intersects itself there; the remaining part does not guide the roller as designed. A "
            "smaller roller or a larger distance of the cam's centre helps";
@@ -44,9 +58,18 @@ std::string check_of_linkage(const DrivenMechanism& /*cam*/, const CheckWords& w
 }
 
 /// The first that fits.
-const std::array<CamPresentation, 5>& rows() {
+const std::array<CamPresentation, 6>& rows() {
     using enum CamView;
-    static const std::array<CamPresentation, 5> all = {{
+    static const std::array<CamPresentation, 6> all = {{
+        {.fits = is_plate,
+         .touching = "follower",
+         .undercut = undercut_of_plate,
+         .check = check_of_plate,
+         .picture = {"Plate", "frame of the plate", "follower", "roller", "guide of the follower",
+                     "follower every 60°", CamOutline::plate},
+         .files = {{table, "profile.csv"},
+                   {picture, "profile.svg", "The plate to scale"},
+                   {diagram, "profile_diagrams.svg", "Pressure angle and curvature"}}},
         {.fits = [](const DrivenMechanism& cam) { return cam.formulas->direct() != nullptr; },
          .touching = "follower",
          .undercut = undercut_of_direct_cam,
@@ -70,7 +93,7 @@ const std::array<CamPresentation, 5>& rows() {
                                  words.points),
                      words);
              },
-         .picture = {"Guide", "frame of the body", "", "roller at both ends", "", "", false},
+         .picture = {"Guide", "frame of the body", "", "roller at both ends", "", "", CamOutline::slot},
          .files = {{.view = table, .name = "guide.csv", .both_walls = true},
                    {picture, "guide.svg", "The guide to scale"},
                    {diagram, "pressure_angle.svg", "Pressure angle", "pressure_angle"}}},

@@ -20,14 +20,19 @@ struct CamFileRow {
     bool both_walls = false;     ///< table: of stations 0 and 1, the walls of a slot, in one
 };
 
+/// What a picture to scale shows of the cam.
+enum class CamOutline {
+    round,  ///< the outline about the cam's centre, with circles, angles and the sense of rotation
+    slot,   ///< a slot in a body, with its roller at both ends
+    plate   ///< a body with the outline above, sides and a bottom, and the direction of its travel
+};
+
 /// Words of a picture to scale, and what it shows.
 struct CamPictureRow {
     const char* untitled = "";                                       ///< title of a scene without one
     const char* frame = "";                                          ///< of its axes
     const char *links = "", *roller = "", *guide = "", *ghost = "";  ///< in its legend
-    /// The outline about the cam's centre, with circles, angles and the sense of rotation; false: a slot in a
-    /// body, with its roller at both ends.
-    bool turns = true;
+    CamOutline outline = CamOutline::round;
 };
 
 /// Of a forward check, for the sentence that reports it.

@@ -78,6 +78,11 @@ constexpr FigureRow<ForceSummary> force_rows[] = {
      .of = [](const ForceSummary& forces) { return forces.lift_off_speed; }},
     {"torque_nm", figure_words::torque, &Units::torque,
      [](const ForceSummary& forces) -> std::optional<CamExtreme> { return forces.torque; }},
+    {.key = "driving_force_n",
+     .name = "largest force that drives the plate",
+     .unit = &Units::force,
+     .of = [](const ForceSummary& forces) { return forces.driving_force; },
+     .only_where_found = true},
     {"normal_force_n", "largest force along the normal", &Units::force,
      [](const ForceSummary& forces) { return forces.normal_force; }},
     {"hertz_pressure_mpa", figure_words::hertz_pressure, &Units::pressure,
@@ -158,6 +163,8 @@ std::string cam_text(const CamSpec& cam) {
     const auto formulas = cam.formulas();
     if (const DirectCam* const direct = formulas->direct()) {
         const DirectCamDrawing drawing = direct->drawing(cam.middle());
+        if (const PlaneMechanism* const plane = formulas->plane(); plane != nullptr && plane->is_plate())
+            return words_of(drawing.follower) + " on a plate that slides";
         const std::string form = form_words(drawing);
         return fmt::format("{}{}{}, the cam turning {}", words_of(drawing.follower), form.empty() ? "" : " ",
                            form, name_of(cam.rotation));

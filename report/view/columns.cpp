@@ -83,6 +83,9 @@ constexpr CamColumn plane_cam_columns[] = {
      [](const auto&, const auto& loads) { return loads.force; }},
     {"torque_nm", "torque on the camshaft in N m", ColumnNeed::forces,
      [](const auto&, const auto& loads) { return loads.torque; }},
+    {"driving_force_n", "force that drives a plate along its travel in N",
+     ColumnNeed::forces | ColumnNeed::travel,
+     [](const auto&, const auto& loads) { return loads.driving_force.value_or(std::nan("")); }},
     {"normal_force_n", "force along the cam's normal in N", ColumnNeed::forces,
      [](const auto&, const auto& loads) { return loads.normal_force; }},
     {"hertz_pressure_mpa", "Hertz pressure in MPa", ColumnNeed::forces | ColumnNeed::contact_width,
@@ -120,6 +123,13 @@ std::vector<TableColumn> all_columns() {
     return rows;
 }
 
+bool slides(const Solution& solution) {
+    if (!solution.cam) return false;
+    const DrivenMechanism& cam = solution.cam->cam;
+    const DirectCam* const direct = cam.formulas->direct();
+    return direct != nullptr && direct->slide(cam.dimensions).has_value();
+}
+
 struct Need {
     unsigned bit;
     const char* words;
@@ -132,6 +142,7 @@ constexpr Need needs[] = {{ColumnNeed::speed, "motion.speed_rpm",
                           {ColumnNeed::plane_cam, "a plane cam", has_plane_cam},
                           {ColumnNeed::forces, "a cam with [forces]",
                            [](const Solution& solution) { return delivered_loads(solution) != nullptr; }},
+                          {ColumnNeed::travel, "a cam that slides", slides},
                           {ColumnNeed::drive, "a [drive] table",
                            [](const Solution& solution) { return solution.drive.has_value(); }},
                           {ColumnNeed::length, "a lift that is a length",
@@ -203,7 +214,9 @@ Columns profile_columns(const Solution& solution) {
                  "cam_radius_mm",      "regularity"};
     if (cam.radius_quantity() == MechanismQuantity::cam_radius) keys.emplace_back("contact_offset_mm");
     if (delivered_loads(solution) == nullptr) return columns_of(keys);
-    keys.insert(keys.end(), {cam.swings() ? "moment_nm" : "force_n", "torque_nm", "normal_force_n"});
+    keys.insert(keys.end(), {cam.swings() ? "moment_nm" : "force_n", "torque_nm"});
+    if (slides(solution)) keys.emplace_back("driving_force_n");
+    keys.emplace_back("normal_force_n");
     if (solution.cam->summary.forces->hertz_pressure) keys.emplace_back("hertz_pressure_mpa");
     return columns_of(keys);
 }

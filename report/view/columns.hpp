@@ -11,7 +11,7 @@ namespace camopt {
 /// What a column may need beside a motion, bit by bit.
 struct ColumnNeed {
     static constexpr unsigned speed = 1, plane_cam = 2, forces = 4, length = 8, angle = 16,
-                              contact_width = 32, drive = 64;
+                              contact_width = 32, drive = 64, travel = 128;
 };
 
 /// "needs motion.speed_rpm"; empty: nothing.

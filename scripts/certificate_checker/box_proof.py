@@ -401,7 +401,7 @@ class BoxProof:
         if cam is None or cam.rules is None:
             return [], []
         formulas = cam.formulas_at(origin, at)
-        if cam.kind == "disk" and rule.endswith("pressure_angle_deg"):  # in m
+        if cam.direct and rule.endswith("pressure_angle_deg"):  # in m
             formulas = [lambda z, f=f: f(z) * constant(cam.rules.reach()) for f in formulas]
         return formulas, [self.place["dimension", name] for name in cam.rules.searched]
 

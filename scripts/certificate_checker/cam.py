@@ -5,6 +5,7 @@ import itertools
 from . import enclosures
 from .dimensions import corners_of, largest_of, middle_size, parts_of
 from .inverse_rules import InverseRules
+from . import linear_rules
 from .rational import Fraction
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
@@ -30,22 +31,26 @@ OTHER_RULES = {"barrel": SpatialRules, "cylindrical": SpatialRules, "remote": Re
 
 
 class Cam:
-    """A disk cam. Lengths in m; of translating followers u = s' - sense * offset, D = start + s, start the follower's
+    """A disk or a linear cam. Lengths in m; of translating followers u = s' - sense * offset, D = start + s, start the follower's
     height at displacement 0. Of other cams the motion alone is judged."""
 
     def __init__(self, problem, scene, result):
         cam, self.problem, self.scene = scene["cam"], problem, scene
         self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
-        self.judged, self.swings = self.kind == "disk", (self.follower or "").startswith("oscillating")
+        self.direct = self.kind in ("disk", "linear")  # it touches the output itself
+        self.judged, self.swings = self.direct, (self.follower or "").startswith("oscillating")
         self.fixed, self.searched, self.weights, self.rules, self.forces, self.sizes = Fraction(0), {}, {}, None, None, {}
         self.lift = problem.lift[0]
         weights = {n: number(problem.objective.get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
         self.cost = exactly(Fraction(0))  # of the dimensions as they were found
-        if self.kind != "disk":
+        if not self.direct:
             return self.be_other(scene, result, weights)
-        self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
-        given = {name: dimension_of(cam, name) for name in DIMENSIONS[self.follower]}
+        slides = self.kind == "linear"
+        self.sense = linear_rules.sense_of(cam) if slides else -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
+        given = {name: dimension_of(cam, name) for name in (linear_rules.DIMENSIONS if slides else DIMENSIONS)[self.follower]}
+        if slides and any(weights.values()):
+            raise Unverified("dimensions of a linear cam in the objective")
         self.forces = Forces(problem, scene) if "forces" in scene else None
         spring = {name: self.forces.ranges[name] for name in ("forces.preload", "forces.spring_rate") if name in self.forces.ranges} \
             if self.forces else {}
@@ -53,9 +58,9 @@ class Cam:
         weights |= dict.fromkeys(spring, Fraction(0))
         self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
         unit = self.lift
-        if self.swings:  # times the centre distance, the middle of its range
+        if self.swings and not slides:  # times the centre distance, the middle of its range
             unit = in_unit(problem.lift, "rad") * middle_size(given["center_distance"])
-        self.weights = {name: weight / unit for name, weight in weights.items()}
+        self.weights = dict.fromkeys(given, Fraction(0)) | {name: weight / unit for name, weight in weights.items()}
         self.sizes = given | self.found(result, dict.fromkeys(given, "m"))
         self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
                          Fraction(0))
@@ -94,6 +99,10 @@ class Cam:
 
     def rules_of(self, scene, sizes, room):
         """The rules of the cam's one side or of its two."""
+        if self.kind == "linear":
+            inclination = angle_of(scene["cam"], "inclination") or (Fraction(0), "deg")
+            return linear_rules.LinearRules(self.problem, scene, self.follower, self.sense, inclination, sizes, room)
+
         def make(side, more=()):
             return DiskRules(self.problem, scene, self.follower, self.sense, sizes | dict(more), room, side)
 
@@ -151,7 +160,10 @@ class Cam:
 
     def reach(self):
         """[{dimension: sign}]: sums that are below 0 where a disk cam reaches its follower. An arm a - l < p, l - a < p, p < a + l; its
-        face |base + offset| < a; a pushed roller or edge |offset| < p. p: base and roller radius."""
+        face |base + offset| < a; a pushed roller or edge |offset| < p. p: base and roller radius. An arm over a plate |h + r - p| < l."""
+        if self.kind == "linear":
+            height = {"base_height": 1, "roller_radius": 1, "pivot_height": -1}
+            return [{name: way * sign for name, sign in height.items()} | {"arm_length": -1} for way in (1, -1)] if self.swings else []
         prime = {name: -1 for name in ("base_radius", "roller_radius") if name in self.sizes}
         if self.follower == "oscillating_roller":
             return [prime | {"center_distance": 1, "arm_length": -1}, prime | {"center_distance": -1, "arm_length": 1},
@@ -183,7 +195,7 @@ class Cam:
             function = {j: sign * w for j, w in run.space.functional(at, 1, side).items()}
             return Row(name, k, function, self.width[1] * self.beta[1] / self.lift), \
                 self.lift / self.width[1] / number(float(self.beta[0]))
-        if self.kind != "disk" and self.searched:
+        if not self.direct and self.searched:
             return None
         formulas = self.formulas_at(origin, at)
         if bound.curve is not None and len(formulas) > 1:
@@ -268,7 +280,7 @@ class Cam:
 
     def keeper_of(self, key):
         """What looks at a limit along the delivered motion; None: nothing here does."""
-        if self.kind != "disk":
+        if not self.direct:
             formulas, more = self.as_found.kept(key)
             return (lambda curve: self.keep_formulas(curve, key, formulas, more)) if formulas else None
         if key.endswith("pressure_angle_deg"):
@@ -305,7 +317,7 @@ class Cam:
 
     def keep_along(self, key, formulas, motion, place, scale, width, more=()):
         """Nowhere above 0 along a motion of 0 <= v <= width, x = place + scale v; what moves beside the motion is told x too."""
-        moves, more = self.kind != "disk" and self.as_found.moves, [enclosures.interval(*ends) for ends in more]
+        moves, more = not self.direct and self.as_found.moves, [enclosures.interval(*ends) for ends in more]
         whole = place, place + scale * width
         lines = self.forces.lines(*whole) if self.forces and key in LOADED else [(*whole, Fraction(0), Fraction(0))]
         for (begin, end, load, slope), formula in itertools.product(lines, formulas):
@@ -326,7 +338,7 @@ class Cam:
             if self.form != "open":
                 raise Unverified("a load over the cam angle on a cam of two sides")
             self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")))
-        return self.rules.formulas(*words, at) if self.kind != "disk" and self.rules.moves else self.rules.formulas(*words)
+        return self.rules.formulas(*words, at) if not self.direct and self.rules.moves else self.rules.formulas(*words)
 
     def keep_pressure(self, curve, key):
         """Both sides along the motion, and at rest the least of all limits."""
@@ -395,7 +407,7 @@ class Cam:
 
     def row_size(self):
         """What rows of arms and of cams in space are divided by beyond the formulas here."""
-        return self.rules.sizes["center_distance"] if self.kind != "disk" else Fraction(1)
+        return Fraction(1) if self.direct else self.rules.sizes["center_distance"]
 
     def displacements(self, bound, k, at):
         """What y can be at a place."""

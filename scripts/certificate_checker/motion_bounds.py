@@ -84,7 +84,7 @@ def along_splines(curve, bound, by):
 
 def keeps(stretch, order, sign, most, begin, end):
     """Whether sign * y^(order) <= most along a dwell or a law from `begin` to `end`."""
-    if order == 3 and stretch.kind == "law" and (jumps(stretch.law) or turns_back(stretch.law)):
+    if order == 3 and stretch.kind == "law" and (jumps(stretch.law) or turns_back(stretch.law) and not stretch.smooth_top):
         raise Unverified(f"the jerk of the law {stretch.law}")
     length = stretch.end - stretch.begin
     for at, until, motion in parts_along(stretch, order + 1):

@@ -125,7 +125,7 @@ def passes(problem, rule, at, side):
         return problem.drive.passes(rule, at, side)
     own = [limit[:3] for limit in limits_at(problem, rule, at, stretch)]
     signs = {sign for order, sign, _ in own if order == 3 and rule.startswith("limits.")}
-    if stretch.kind == "law" and signs and turns_back(stretch.law):
+    if stretch.kind == "law" and signs and turns_back(stretch.law) and not stretch.smooth_top:
         raise Unverified(f"the jerk where the law {stretch.law} turns back")
     if stretch.kind == "law" and jumps(stretch.law) and (len(signs) == 2 or (signs and stretch.law != "simple_harmonic")):
         return True  # y'' jumps at an end of the law (of all but simple_harmonic up and down)

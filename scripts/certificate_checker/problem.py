@@ -4,7 +4,7 @@ import itertools
 
 from .conditions import AT_LIMIT, REST
 from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
-from .laws import REVERSED, ends_of_law, polynomial_between, turns_back
+from .laws import REVERSED, ends_of_law, is_same, polynomial_between, turns_back
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
 from .rational import Fraction
@@ -247,8 +247,17 @@ class Problem:
                 rise, length = own.to - own.start, own.end - own.begin
                 own.law = polynomial_between(*((v * length / rise, a if a is None else a * length**2 / rise)
                                                for v, a in (self.state_given(segments, i, after) for after in (0, 1))))
-            elif turns_back(own.law) and self.turns(i, i - 1):
+            elif turns_back(own.law):
+                own.smooth_top = any(self.is_mirrored(i, other) for other in (i - 1, i + 1) if self.turns(i, other))
+        for i, own in enumerate(self.stretches):
+            if own.kind == "law" and turns_back(own.law) and self.turns(i, i - 1):
                 own.law = REVERSED + own.law
+
+    def is_mirrored(self, i, other):
+        """Whether the neighbour runs through the same law backwards: then y'' does not jump between them."""
+        own, other = self.stretches[i], self.stretches[other % len(self.stretches)]
+        return other.kind == "law" and is_same(own.law, other.law) and own.end - own.begin == other.end - other.begin and \
+            own.to - own.start == other.start - other.to
 
     def turns(self, i, other):
         """Whether the motion goes the other way at once in a neighbour."""

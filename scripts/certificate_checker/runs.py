@@ -13,6 +13,7 @@ class Stretch:
     def __init__(self, kind, begin, end, start, to, free=False):
         self.kind, self.begin, self.end, self.start, self.to, self.free = kind, begin, end, start, to, free
         self.measure = None  # (angle, displacement) of its stroke, where that is more than the stretch
+        self.smooth_top = False  # of a law that turns back: y'' does not jump there
 
     def scale(self, order):
         """y^(order) is this times what V, A and J of the stretch measure."""

@@ -4,7 +4,7 @@
 A DXF file is a list of tags: a group code and a value, a line each. Only what the outline consists of is read; what it may
 consist of is listed, so that nothing which changes it is overlooked. Base and prime circle are those of the cam, the rim of a grooved disk
 leaves the wall that the scene states around the outer flank; other layers (axes, follower) are not checked. The walls of an inverse cam's
-guide share a layer, the left one first.
+guide share a layer, the left one first. The outline of a plate is its surface, closed by its sides and its bottom at y = 0.
 """
 import itertools
 import math
@@ -15,6 +15,7 @@ from certificate_checker.units import dimension_of
 
 from .clearance import Polygon
 from .departure import largest_departure
+from .linear_cam import LinearCam
 from .linked_cams import InverseCam, LinkedCam, RemoteCam
 from .outcome import Outcome
 from .places import Places
@@ -144,8 +145,21 @@ class Polyline:
         return found
 
 
+def surface_of(entity):
+    """The outline of a plate without what closes it: straight down from either end to the bottom, and along it."""
+    polyline = Polyline(entity, False)
+    kept, below = polyline.vertices[:-2], polyline.vertices[-2:]
+    straight = len(kept) > 1 and not any(bulge for _, _, bulge in kept[-1:] + below)
+    ends = [(kept[-1][1][0], 0), (kept[0][1][0], 0)] if straight else []
+    if not straight or any(abs(a - b) > CIRCLES for (_, point, _), end in zip(below, ends) for a, b in zip(point, end)):
+        raise Refuted(f"line {polyline.line}: the outline is not closed by the sides and the bottom of the plate")
+    polyline.vertices, polyline.is_open = kept, True
+    return polyline
+
+
 def departure_of(cam, entity, offset):
-    polyline, places = Polyline(entity, cam.motion.is_open), Places(cam, offset)
+    is_body = isinstance(cam, LinearCam) and not offset
+    polyline, places = surface_of(entity) if is_body else Polyline(entity, cam.motion.is_open), Places(cam, offset)
     if places.are_against(polyline.points()):
         polyline.reverse()
     segments = polyline.segments()
@@ -168,7 +182,7 @@ def is_circle(drawn, radius, room):
 
 def circle_faults(cam, entities):
     """Base and prime circle of a disk cam, about its centre."""
-    sizes = {} if isinstance(cam, LinkedCam) else {"BASE_CIRCLE": cam.size["base_radius"]}
+    sizes = {} if isinstance(cam, (LinkedCam, LinearCam)) else {"BASE_CIRCLE": cam.size["base_radius"]}
     if sizes and cam.follower in WITH_ROLLER:
         sizes["PRIME_CIRCLE"] = cam.prime
     faults = [f"line {line}: not the {layer} of the cam, radius {float(radius):g} mm" for layer, radius in sizes.items()
@@ -192,7 +206,8 @@ def outlines_of(scene, design):
     if kind == "inverse":
         cam = InverseCam(scene, design)
         return [("WALLS", "profile_mm", cam, cam.roller), ("WALLS", "profile_mm", cam, -cam.roller), ("PITCH", "pitch_mm", cam, Fraction(0))]
-    cam = RemoteCam(scene, design) if kind == "remote" else PlaneCam(scene, design)
+    makers = {"remote": RemoteCam, "linear": LinearCam}
+    cam = makers.get(kind, PlaneCam)(scene, design)
     if cam.form == "grooved":
         half = cam.clearance / 2
         return [("INNER_FLANK", "profile_mm", cam, -half), ("OUTER_FLANK", "profile_mm", cam, 2 * cam.roller + half),

@@ -95,6 +95,11 @@ NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
 
 NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     check_closed(shape);
+    if (shape.is_plate())
+        throw InputError(
+            "an NC program: found a plate that slides; allowed: a cam that turns. profile.dxf and cam.step "
+            "have "
+            "the whole plate for a CAM system");
     if (shape.has_two_disks())
         throw InputError("an NC program: found two disks; allowed: one of them (made_pieces)");
     require(std::isfinite(options.thickness) && options.thickness > 0.0, "the thickness must be > 0 m",

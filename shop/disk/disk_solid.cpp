@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shop/disk/disk_solid.hpp"
 
+#include "report/drawing/plane_cam.hpp"
 #include "report/surface/mesh_cut.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
@@ -164,20 +165,30 @@ Polygon contour_polygon(const ProfileShape& shape, const DiskMeshOptions& option
             throw InputError(fmt::format("plane cam: there must be {} points or more, found {}", least_points,
                                          *options.points));
         deviation = std::max(deviation, sagitta(shape, *options.points));
-        return to_the_left(contour_points(shape, *options.points));
+        std::vector<ArcVertex> surface;
+        for (const Vector2d& point : contour_points(shape, *options.points)) surface.push_back({point, 0.0});
+        if (shape.is_plate()) surface.push_back({in_plane(shape.at(shape.end()).contact), 0.0});
+        Polygon polygon;
+        for (const ArcVertex& vertex : body_outline(shape, std::move(surface)))
+            polygon.push_back(vertex.position);
+        return to_the_left(std::move(polygon));
     }
     // The arcs take a tenth of the tolerance, their chords the rest.
     deviation = std::max(deviation, options.chord_tolerance);
     const ArcChain chain = outline_chain(shape, true, 0.1 * options.chord_tolerance);
-    return to_the_left(polygon_within(chain.vertices, 0.9 * options.chord_tolerance));
+    return to_the_left(polygon_within(body_outline(shape, chain.vertices), 0.9 * options.chord_tolerance));
 }
 
+/// An arc about the cam's centre, of a plate a line along its travel.
 bool is_dwell(const ProfileShape& shape, double begin, double end) {
-    const double radius = shape.at(begin).contact.norm();
-    for (int i = 1; i < dwell_samples; ++i) {
-        const Vector2d point = in_plane(shape.at(begin + (end - begin) * i / dwell_samples).contact);
-        if (std::abs(point.norm() - radius) > same_radius * radius) return false;
-    }
+    const auto height = [&](double theta) {
+        const Vector2d point = in_plane(shape.at(theta).contact);
+        return shape.is_plate() ? point.y() : point.norm();
+    };
+    const double first = height(begin);
+    for (int i = 1; i < dwell_samples; ++i)
+        if (std::abs(height(begin + (end - begin) * i / dwell_samples) - first) > same_radius * first)
+            return false;
     return true;
 }
 
@@ -210,27 +221,36 @@ PlateEdge curve_through(const ProfileShape& shape, double begin, double end) {
     }
 }
 
-/// Dwells as arcs, all else as curves.
+/// Dwells as arcs or lines, all else as curves.
 std::vector<PlateEdge> contour_edges(const ProfileShape& shape) {
     std::vector<PlateEdge> outline;
     for (std::size_t i = 0; i + 1 < shape.knots.size(); ++i) {
         const double begin = shape.knots[i], end = shape.knots[i + 1];
         PlateEdge edge;
-        if (is_dwell(shape, begin, end)) {
+        if (!is_dwell(shape, begin, end)) {
+            edge = curve_through(shape, begin, end);
+        } else if (!shape.is_plate()) {
             edge.kind = PlateEdge::Kind::arc;
             edge.middle = in_plane(shape.at(0.5 * (begin + end)).contact);
-        } else {
-            edge = curve_through(shape, begin, end);
         }
         edge.from = i == 0 ? in_plane(shape.at(begin).contact) : outline.back().to;
-        edge.to = i + 2 < shape.knots.size() ? in_plane(shape.at(end).contact)
-                  : outline.empty()          ? edge.from
-                                             : outline.front().from;
+        edge.to = i + 2 < shape.knots.size() || shape.is_plate() ? in_plane(shape.at(end).contact)
+                  : outline.empty()                              ? edge.from
+                                                                 : outline.front().from;
         if (!edge.poles.empty()) {
             edge.poles.front() = edge.from;
             edge.poles.back() = edge.to;
         }
         outline.push_back(std::move(edge));
+    }
+    if (!shape.is_plate()) return outline;
+    const std::vector<ArcVertex> around =
+        body_outline(shape, {{outline.front().from, 0.0}, {outline.back().to, 0.0}});
+    for (std::size_t i = 1; i < around.size(); ++i) {
+        PlateEdge side;
+        side.from = around[i].position;
+        side.to = around[(i + 1) % around.size()].position;
+        outline.push_back(side);
     }
     return outline;
 }
@@ -276,7 +296,7 @@ std::vector<Vector2d> contour_points(const ProfileShape& shape, int count) {
 }
 
 void check_closed(const ProfileShape& shape) {
-    if (shape.closed) return;
+    if (shape.closed || shape.is_plate()) return;
     throw InputError(fmt::format(
         "plane cam: found an open one{}; allowed: a cam of one revolution (motion.type \"RR\" or a "
         "program that returns to displacement 0), to be milled or made a solid",

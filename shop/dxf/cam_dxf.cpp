@@ -69,7 +69,7 @@ void add_follower(Drawing& drawing, const ProfileShape& shape, double reach) {
             drawing.line("axes", pitch, pitch + 0.5 * reach * (last - first).normalized());
             continue;
         }
-        drawing.line("axes", {0.0, 0.0}, last);
+        if (!shape.is_plate()) drawing.line("axes", {0.0, 0.0}, last);
         drawing.line("axes", last, first);
         drawing.circle("axes", last, pivot_size * shape.base_radius());
     }
@@ -127,8 +127,10 @@ ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
         return std::move(chain.vertices);
     });
     const double reach = axis_overhang * greatest;
-    drawing.line("axes", {-reach, 0.0}, {reach, 0.0});
-    drawing.line("axes", {0.0, -reach}, {0.0, reach});
+    if (!shape.is_plate()) {
+        drawing.line("axes", {-reach, 0.0}, {reach, 0.0});
+        drawing.line("axes", {0.0, -reach}, {0.0, reach});
+    }
     add_follower(drawing, shape, reach);
     if (!shape.closed && !shape.open_because.empty())  // what is missing, where the line to it ends
         drawing.elements.emplace_back(DrawnText{"open", 1.1 * in_plane(shape.at(shape.end()).contact),

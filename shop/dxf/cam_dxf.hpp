@@ -3,6 +3,7 @@
 // within a tolerance (arc_chain.hpp), in layers; mm.
 //
 //   disk     CAM, PITCH (roller centre), BASE_CIRCLE, PRIME_CIRCLE, ROLLER, FACE (flat face), AXES
+//   linear   CAM (the plate: surface, sides, bottom), PITCH, ROLLER, AXES
 //   remote   CAM, PITCH, ROLLER, AXES
 //   inverse  WALLS (both of the slot), PITCH, ROLLER, AXES; frame of the body, its pivot at the origin
 //

@@ -233,6 +233,7 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
             return made_solid(file, disk_plate(self.pieces_[piece], self.drawing(piece), title),
                               self.solution_.scene.length_unit);
         });
+        if (pieces_[piece].is_plate()) return;  // neither a sheet nor a program of it
         for (const char* const format : {"pdf", "svg", "dxf"})
             add(fmt::format("drawing{}.{}", piece_suffix(piece), format),
                 [piece, format](Self self) { return sheet_bytes(self.sheets().at(piece), format); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What of a disk cam a drawing measures.
+#include "report/drawing/plane_cam.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
 
@@ -138,7 +139,7 @@ std::vector<ArcVertex> rim_outline(const ProfileShape& shape) {
 double cam_volume(const ProfileShape& shape, const DrawingSpec& drawing) {
     const double bore = drawing.bore ? area_of(bore_outline(drawing, shape.formulas().rotation())) : 0.0;
     const auto area = [](const ProfileShape& side) {
-        return area_of(outline_chain(side, true, area_tolerance).vertices);
+        return area_of(body_outline(side, outline_chain(side, true, area_tolerance).vertices));
     };
     const double thickness = drawing.thickness.value();
     if (!shape.other) return (area(shape) - bore) * thickness;

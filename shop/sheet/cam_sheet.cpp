@@ -489,7 +489,7 @@ class CamSheetMaker {
 std::vector<Sheet> cam_sheets(const View& view, const CamSheetOptions& options) {
     const Solution& solution = view.solution;
     const std::optional<ProfileShape> shape = delivered_shape(view);
-    if (!shape)
+    if (!shape || shape->is_plate())
         throw InputError("a workshop drawing needs a cam with a base circle, and this solution has none");
     std::vector<Sheet> sheets;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);

@@ -20,13 +20,21 @@ constexpr int root_bisections = 60;  // down to neighbouring numbers
 constexpr int search_whole = 16;     // every so many angles the whole curve is searched without need
 constexpr double suspicious = 1e-6;  // relative: a deviation that has the whole curve searched
 
-/// The cam in the fixed frame at one cam angle.
+/// The cam in the fixed frame at one cam angle: turned, or moved along.
 struct Turn {
-    double cosine, sine;
-    Turn(Rotation rotation, double theta)
-        : cosine(std::cos(theta)), sine(sense_of(rotation) * std::sin(theta)) {}
+    double cosine = 1.0, sine = 0.0;
+    Vector2d shift = {0.0, 0.0};
+    Turn(const ForwardCheckInput& input, double theta) {
+        if (input.follower.slide) {
+            shift = theta * *input.follower.slide;
+            return;
+        }
+        cosine = std::cos(theta);
+        sine = sense_of(input.rotation) * std::sin(theta);
+    }
     [[nodiscard]] Vector2d operator()(const Vector2d& point) const {
-        return {cosine * point.x() - sine * point.y(), sine * point.x() + cosine * point.y()};
+        return {cosine * point.x() - sine * point.y() + shift.x(),
+                sine * point.x() + cosine * point.y() + shift.y()};
     }
 };
 
@@ -98,7 +106,7 @@ class Simulation {
     }
     [[nodiscard]] double relative(double deviation) const { return deviation / input_.output_size; }
     [[nodiscard]] Contact contact_at(double theta, bool whole) {
-        const Turn turn(input_.rotation, theta);
+        const Turn turn(input_, theta);
         if (input_.follower.contact == ContactKind::edge) return crossing(turn);
         if (!whole) {
             climb(turn);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The finished cam, turned under its follower: does the follower move as designed?
+// The finished cam, turned or moved along under its follower: does the follower move as designed?
 //
 // Knows the exported points of the cam and the follower's dimensions, no more: neither cam angles, normals
 // nor curvatures of the points, nor any formula that made them. A smooth curve goes through the points
@@ -22,8 +22,9 @@ struct ForwardCheckInput {
     std::vector<int> breaks;              ///< indices of points where the motion changes its formula
     bool closed = true;                   ///< false: a sector, between its first and its last point
     FollowerGeometry follower;
-    Rotation rotation = Rotation::counterclockwise;  ///< of the cam, seen in the follower's frame
-    std::function<double(double theta)> designed;    ///< s of the output, m or rad
+    /// Of the cam, seen in the follower's frame, if it does not slide.
+    Rotation rotation = Rotation::counterclockwise;
+    std::function<double(double theta)> designed;  ///< s of the output, m or rad
     /// From the follower's lift to s of the output, which is what is compared; NaN out of reach. Empty: the
     /// lift is the output.
     std::function<double(double lift)> output = {};

@@ -20,7 +20,8 @@ TouchingFollower::TouchingFollower(const FollowerGeometry& follower)
       distance_(follower.pivot_distance),
       arm_(follower.arm),
       face_(follower.face_offset),
-      start_(follower.rest_position()) {}
+      start_(follower.rest_position()),
+      most_(follower.most_position) {}
 
 double TouchingFollower::lift_on(const Vector2d& point) const {
     if (!swings_ && flat_) return point.y();
@@ -34,7 +35,8 @@ double TouchingFollower::lift_on(const Vector2d& point) const {
     const double point_angle = std::atan2(point.y(), distance_ - point.x());
     if (flat_) return away > std::abs(face_) ? point_angle + std::asin(face_ / away) : -infinity;
     const double cosine = (arm_ * arm_ + away * away - roller_ * roller_) / (2.0 * arm_ * away);
-    return std::abs(cosine) <= 1.0 ? point_angle + std::acos(cosine) : -infinity;
+    const double lift = std::abs(cosine) <= 1.0 ? point_angle + std::acos(cosine) : -infinity;
+    return lift < most_ ? lift : -infinity;
 }
 
 double TouchingFollower::lift_under(const Vector2d& point) const {

@@ -50,7 +50,7 @@ class TouchingFollower {
 
  private:
     bool swings_, flat_;
-    double roller_, offset_, distance_, arm_, face_, start_;
+    double roller_, offset_, distance_, arm_, face_, start_, most_;
 };
 
 }  // namespace camopt

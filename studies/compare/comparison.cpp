@@ -256,13 +256,13 @@ ComparisonRow optimum_row(const Bench& bench, const Solution& solution) {
     return row;
 }
 
-ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<double> optimum) {
+ComparisonRow law_row(const Bench& bench, const std::shared_ptr<const Law>& law,
+                      std::optional<double> optimum) {
     ComparisonRow row;
-    row.key = info.key;
-    row.title = info.title;
-    LawMotion placed =
-        law_motion(bench.strokes, bench.scene.motion.type == MotionType::program && bench.scene.motion.closed,
-                   make_law(info.key));
+    row.key = law_name(law->info());
+    row.title = law->title();
+    LawMotion placed = law_motion(
+        bench.strokes, bench.scene.motion.type == MotionType::program && bench.scene.motion.closed, law);
     row.misfit = std::move(placed.misfit);
     if (!placed.motion) {
         row.objective = infinity;
@@ -327,11 +327,11 @@ bool meets_conditions(const ComparisonRow& row) {
 
 ComparisonRow compare_law(const Solution& solution, const std::string& law) {
     if (!solution.motion) throw InputError("a law is compared with a motion, and this solution has none");
-    const auto found = std::ranges::find(law_catalogue(), law, &LawInfo::key);
+    const auto found = std::ranges::find(law_catalogue(), law_key(law), &LawInfo::key);
     if (found == law_catalogue().end())
         throw InputError(fmt::format("law: found \"{}\"; allowed: those of camopt list laws", law));
     const Scene scene = with_written_limits(solution.scene);
-    return law_row(bench_of(scene, solution), *found, solution.certificate.objective);
+    return law_row(bench_of(scene, solution), make_law(law), solution.certificate.objective);
 }
 
 Comparison compare(const Scene& scene, const SolveControl& control) {
@@ -358,7 +358,7 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
             const std::string line = "compares with " + info.title;
             control.progress(line);
         }
-        comparison.rows.push_back(law_row(bench, info, optimum));
+        comparison.rows.push_back(law_row(bench, make_law(info.key), optimum));
     }
     std::ranges::stable_sort(comparison.rows, [](const ComparisonRow& one, const ComparisonRow& other) {
         const auto rank = [](const ComparisonRow& row) {

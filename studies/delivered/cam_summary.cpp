@@ -161,6 +161,8 @@ ForceSummary force_summary(const DrivenMechanism& cam, const CamTurn& turn, cons
     summary.largest_force = turn.largest(force);
     summary.torque =
         turn.largest([&](const CamPlace& place) { return std::abs(force(place) * place.state.velocity); });
+    if (const std::optional<double> slide = cam.formulas->direct()->slide(cam.dimensions))
+        summary.driving_force = CamExtreme{summary.torque.value / *slide, summary.torque.at};
     const bool presses = has_hertz_pressure(*cam.formulas, forces);
     if (no_contact) {
         // Formulas would go on with a negative radius or lever; there is no pressure to speak of.

@@ -20,6 +20,7 @@ struct ForceSummary {
     /// The lowest speed of the cam, rad/s, at which a follower of one side has no force left, and where; none
     /// up to ten times the scene's own, or where nothing presses even the cam at rest.
     std::optional<CamExtreme> lift_off_speed;
+    std::optional<CamExtreme> driving_force;  ///< N, largest magnitude; of a cam that slides
     /// Infinite where the cam cannot be touched as designed (CamSummary::no_contact).
     std::optional<CamExtreme> normal_force;    ///< largest force along the normal, N
     std::optional<CamExtreme> hertz_pressure;  ///< Pa; with a contact width, not for a knife edge

@@ -90,6 +90,8 @@ FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces
     FollowerLoads loads;
     loads.force = force;
     loads.torque = loads.force * state.velocity;
+    if (const std::optional<double> slide = cam.formulas->direct()->slide(cam.dimensions))
+        loads.driving_force = loads.torque / *slide;
     loads.side = carrying_side(*cam.formulas, loads.force);
     loads.normal_force = normal_force(cam, state, loads.force, loads.side);
     if (!has_hertz_pressure(*cam.formulas, forces)) return loads;

@@ -118,6 +118,8 @@ CompareRow row_comparison(const Solution& nominal, const input::InspectedTable& 
     refuse(!nominal.cam, "points of a cam where the scene has no cam");
     refuse(nominal.cam->cam.formulas->direct() == nullptr,
            fmt::format("points of a cam of type \"{}\", not \"disk\"", nominal.scene.cam->type));
+    const DrivenMechanism& direct = nominal.cam->cam;
+    refuse(direct.formulas->direct()->slide(direct.dimensions).has_value(), "points of a plate that slides");
     refuse(!motion.closed, fmt::format("points of an open cam ({})", open_because(nominal)));
     const DrivenMechanism& cam = nominal.cam->cam;
     return [surface = NominalSurface{cam, motion, probe_radius,

@@ -47,15 +47,21 @@ bool moves_on(const LawStroke& stroke) {
            std::ranges::any_of(stroke.ends, [](const JointState& end) { return end.velocity != 0.0; });
 }
 
-/// A law from rest to rest does not take the velocity that a stroke of a program begins or ends with.
-std::string moving_ends(std::span<const LawStroke> strokes) {
-    if (!any_moves_on(strokes)) return {};
+/// A law from rest to rest does not take the velocity of what it joins. Where the whole motion begins or ends
+/// in motion it misses a condition, which is judged as one.
+std::string moving_joint(std::span<const LawStroke> strokes, bool closed) {
+    const auto joins_in_motion = [&](std::size_t i) {
+        const bool begins = (i > 0 || closed) && strokes[i].ends[0].velocity != 0.0;
+        const bool ends = (i + 1 < strokes.size() || closed) && strokes[i].ends[1].velocity != 0.0;
+        return strokes[i].kind == SegmentKind::spline && (begins || ends);
+    };
+    std::size_t joined = 0;
+    while (joined < strokes.size() && !joins_in_motion(joined)) ++joined;
+    if (joined == strokes.size()) return {};
     for (std::size_t i = 0; i < strokes.size(); ++i)
         if (strokes[i].kind == SegmentKind::law && !strokes[i].law->info().rests)
             return fmt::format("rests at its ends, where {} moves on", segment_words(i));
-    const auto moving = std::ranges::find_if(strokes, moves_on);
-    return fmt::format("rests at its ends, where {} begins or ends in motion",
-                       segment_words(static_cast<std::size_t>(moving - strokes.begin())));
+    return fmt::format("rests at its ends, where {} begins or ends in motion", segment_words(joined));
 }
 
 /// The polynomial between the ends of a stroke; null: the stroke does not rise, or a velocity is free.
@@ -230,7 +236,7 @@ LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std:
     result.misfit = free_displacement(strokes);
     if (!result.misfit.empty()) return result;
     const bool takes_states = law->key() == "polynomial";
-    if (!takes_states) result.misfit = moving_ends(strokes);
+    if (!takes_states) result.misfit = moving_joint(strokes, closed);
     if (!result.misfit.empty()) return result;
     std::vector<LawStroke> placed(strokes.begin(), strokes.end());
     if (law->info().top == TopEnd::turning_point) result.misfit = turn_strokes(placed, closed);

@@ -241,7 +241,7 @@ class MachineSearch {
         return {};
     }
 
-    /// Narrows the bracket to the gap by the steepness over log ω. A speed that is not decided counts as
+    /// Narrows the bracket to half the gap by the steepness over log ω. A speed that is not decided counts as
     /// impossible; where the bracket ends at one, speeds above it are tried until one is proved impossible.
     void narrow(Bracket& bracket) {
         const double gap = std::log1p(options_.speed_gap);
@@ -258,8 +258,8 @@ class MachineSearch {
                                  [&](double log_speed) { return std::log(rounded(std::exp(log_speed))); },
                                  usual_slope};
         const double most = std::log(bracket.high->speed);
-        const ValueBracket found =
-            closed_in(search, {{std::log(bracket.low.speed), 0.0}, {most, bracket.high->steepness()}}, gap);
+        const ValueBracket found = closed_in(
+            search, {{std::log(bracket.low.speed), 0.0}, {most, bracket.high->steepness()}}, 0.5 * gap);
         double above = found.outside.value;
         const auto known = [&] { return bracket.high->proof ? std::log(bracket.high->speed) : most; };
         for (double step = gap; above + step < known() && !control_.ending(); step *= 2.0)

@@ -18,12 +18,13 @@ import unittest
 from pathlib import Path
 
 import checker
-from plane_samples import (SAMPLES, Sampled, SampledGuide, SampledTappet, arcs_of, contour, finish_of, largest_distance, outline_of,
+from plane_samples import (SAMPLES, Sampled, SampledGuide, SampledPlate, SampledTappet, arcs_of, contour, finish_of, largest_distance, outline_of,
                            to_arc)
 
 SCENES = ("cam_roller", "cam_flat", "cam_arm_roller")[:1 if "--quick" in sys.argv else None]
 TWO_SIDED = "cam_grooved", "cam_conjugate"
 LINKED = ("guide", "tappet_rise", "tappet")[:2 if "--quick" in sys.argv else None]
+PLATES = ("linear_press", "linear_arm", "linear_knife")[:1 if "--quick" in sys.argv else None]
 SAMPLING = 1e-7    # mm: what the sampled profile may be wrong by
 POLYLINE = 4e-5    # mm: what chords between samples of the profile may be wrong by
 CAMOPT = sys.argv.pop(1) if __name__ == "__main__" and len(sys.argv) > 1 else None
@@ -271,6 +272,29 @@ class ExportOfPlaneCams(unittest.TestCase):
                     spoiled = self.dxf.verify("\n".join(lines), scene, result)
                     self.assertGreater(spoiled.bounds["profile_mm"], 0.004)
                     self.assertIn(f"line {line},", spoiled.places["profile_mm"])
+
+    def test_plates(self):
+        """The surface, closed by sides and bottom; then a vertex of each is moved, and the plate slides the other way."""
+        for name in PLATES:
+            scene, result, drawing = self.exported(name, None, ["--dxf"])
+            with self.subTest(name):
+                found = self.dxf.verify(drawing, scene, result)
+                self.assertEqual(([], []), (found.faults, found.unverified))
+                corners = outline_of(drawing)
+                sampled = largest_distance(SampledPlate(scene, result).curve(0), arcs_of(corners[:-2])[:-1])
+                self.assert_close_above(found.bounds["profile_mm"], sampled, SAMPLING)
+                for line, x, y, _ in (corners[len(corners) // 3], corners[-1]):
+                    lines = drawing.split("\n")
+                    lines[line - 1], lines[line + 1] = str(x + 0.01), str(y + 0.01)
+                    if line == corners[-1][0]:
+                        with self.assertRaisesRegex(self.refusals, "not closed by the sides and the bottom"):
+                            self.dxf.verify("\n".join(lines), scene, result)
+                        continue
+                    found = self.dxf.verify("\n".join(lines), scene, result)
+                    self.assertGreater(found.bounds["profile_mm"], 0.005)
+                    self.assertIn(f"line {line},", found.places["profile_mm"])
+                other = scene | {"cam": scene["cam"] | {"travel_mm": -scene["cam"]["travel_mm"]}}
+                self.assertGreater(self.dxf.verify(drawing, other, result).bounds["profile_mm"], 1)
 
     def test_other_linkages(self):
         """Another linkage; an outline that is missing, closed or on the other side."""

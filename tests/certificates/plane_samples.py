@@ -61,10 +61,13 @@ class Sampled:
             return self.turned(contact, theta), self.turned((0, 1), theta)
         center, before, after = (self.follower(theta + by) for by in (0, -STEP, STEP))
         dx, dy = after[0] - before[0], after[1] - before[1]
-        normal = -self.sense * dy / math.hypot(dx, dy), self.sense * dx / math.hypot(dx, dy)
-        if normal[0] * center[0] + normal[1] * center[1] < 0:
-            normal = -normal[0], -normal[1]
+        normal = self.outwards(center, (-self.sense * dy / math.hypot(dx, dy), self.sense * dx / math.hypot(dx, dy)))
         return (center[0] - self.roller * normal[0], center[1] - self.roller * normal[1]), normal
+
+    @staticmethod
+    def outwards(center, normal):
+        """Away from the cam's centre."""
+        return normal if normal[0] * center[0] + normal[1] * center[1] >= 0 else (-normal[0], -normal[1])
 
     def curve(self, offset):
         own = [self.at(self.begin + (self.end - self.begin) * i / SAMPLES) for i in range(SAMPLES)]
@@ -97,6 +100,33 @@ class SampledTappet(Sampled):
         turn = self.joint(pivot, own["lever_arm_mm"], far, own["coupler_mm"], own["lever_branch"]) - math.radians(own["lever_angle_deg"])
         arm = cam["roller_arm_mm"]
         return self.turned((pivot[0] + arm * math.cos(turn), pivot[1] + arm * math.sin(turn)), theta)
+
+
+class SampledPlate(Sampled):
+    """A plate that slides: the follower stands over it, and what lies below is seen from the plate."""
+
+    def __init__(self, scene, result):
+        super().__init__(scene, result)
+        self.slide = self.cam["travel_mm"] / (2 * math.pi)
+        self.sense = math.copysign(1, self.slide)
+        if self.motion["type"] == "DRD":
+            self.begin = (self.unit - 2 * math.pi) / 2
+            self.end = self.begin + 2 * math.pi
+
+    @staticmethod
+    def outwards(center, normal):
+        """Upwards."""
+        return normal if normal[1] >= 0 else (-normal[0], -normal[1])
+
+    def follower(self, theta):
+        s, size = self.displacement(theta), self.cam
+        height = size["base_height_mm"] + self.roller
+        if not self.swings:
+            lean = math.radians(size.get("inclination_deg", 0))
+            return self.slide * theta + s * math.sin(lean), height + s * math.cos(lean)
+        arm = size["arm_length_mm"]
+        rest = math.asin((height - size["pivot_height_mm"]) / arm)
+        return (self.slide * theta + arm * (math.cos(rest) - math.cos(rest + s)), size["pivot_height_mm"] + arm * math.sin(rest + s))
 
 
 def guide_of(cam, feeder, theta):

@@ -8,7 +8,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks" / "embedding"))
 from linker_map import linked_objects  # noqa: E402
 
-MECHANISMS = {"profiles_remote", "profiles_inverse", "profiles_spatial", "profiles_factory"}
+MECHANISMS = {"profiles_remote", "profiles_inverse", "profiles_linear", "profiles_spatial", "profiles_factory"}
 
 
 def main():

@@ -21,7 +21,7 @@ MAY_INCLUDE = {
 }
 # Kinds of cams: leaves, none of which knows another, so that each can be linked alone. Optimizer, studies and outputs
 # ask a cam through scene/cam_mechanism.hpp and know no kind.
-LEAVES = {"profiles/disk", "profiles/inverse", "profiles/remote", "profiles/spatial"}
+LEAVES = {"profiles/disk", "profiles/inverse", "profiles/linear", "profiles/remote", "profiles/spatial"}
 MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
 # The table of kinds: readers and lists link what kinds say of themselves, without formulas.
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES

@@ -87,6 +87,9 @@ KINDS = {
     "conjugate": (["conjugate"], "scenes/cam_conjugate.toml", ["solver.starts=1", "spline.segments=8"]),
     "remote": (["remote"], "scenes/tappet_75.toml", ["solver.starts=1", "spline.segments=6"]),
     "inverse": (["inverse"], "scenes/inverse_feeder.toml", []),
+    "plate": (["linear"], "scenes/linear_press.toml", []),
+    "edge on a plate": ([], "scenes/linear_knife.toml", []),
+    "arm over a plate": ([], "scenes/linear_arm.toml", ["solver.starts=1"]),
     "barrel": (["barrel"], "scenes/barrel_paper_cup.toml", []),
     "cylinder": (["cylindrical", "translating"], "scenes/cylinder_slide.toml", []),
     "indexing": (["rotating"], "scenes/ocrf_indexing.toml", []),
@@ -97,6 +100,7 @@ CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "
            "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve"]
 SPATIAL = ["barrel", "cylinder", "indexing"]
 REMOTE = ["remote", "inverse"]
+PLATES = ["plate", "edge on a plate", "arm over a plate"]
 VALVES = ["valve", "valve in inches", "forces at every speed"]
 OF_CAMS = ["DXF", "drawing as SVG", "drawing as PDF", "drawing as DXF", "STEP", "STL", "picture", "NC"]
 
@@ -118,7 +122,8 @@ REFUSED = [
     ("found no valve lobe", ["lobe", "lobe in inches"], [kind for kind in KINDS if kind not in VALVES]),
     ('found no motion of type "valve"', ["valves"], [kind for kind in KINDS if kind not in VALVES]),
     (r"found a scene without a \[dynamics\] table", ["dynamics"], [kind for kind in KINDS if "elastic train" not in kind]),
-    ('allowed: with cam.type = "disk"', ["drawing as SVG", "drawing as PDF", "drawing as DXF"], REMOTE + SPATIAL),
+    ('allowed: with cam.type = "disk"', ["drawing as SVG", "drawing as PDF", "drawing as DXF"], REMOTE + PLATES + SPATIAL),
+    ("programs mill around or along a cam that turns", ["NC"], PLATES),
     ("export writes --csv, --dxf and --picture", ["STEP", "STL", "NC"], REMOTE),
     ("which is not a plane curve", ["DXF"], SPATIAL),
     (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],

@@ -25,6 +25,14 @@
       extent.high = Math.max(extent.high, y + radius);
     };
     const [cx, cy] = drawing.center, turns = drawing.turned;
+    if (drawing.shifted) {  // a plate: as much of it around the follower as it is long
+      const points = drawing.outlines.find((one) => one.closed).points, xs = points.filter((_, i) => i % 2 === 0);
+      const half = 0.5 * (Math.max(...xs) - Math.min(...xs));
+      for (let i = 1; i < points.length; i += 2) { see(cx - half, cy + points[i]); see(cx + half, cy + points[i]); }
+      for (const part of drawing.parts)
+        for (let i = 0; i + 1 < part.points.length; i += 2) see(part.points[i], part.points[i + 1], part.radius);
+      return extent;
+    }
     const step = Math.max(1, Math.floor(turns.length / 48));
     for (const outline of drawing.outlines.filter((one) => one.points))
       for (let row = 0; row < turns.length; row += step) {
@@ -115,6 +123,13 @@
       return element('path', { class: 'turn', d: `M${x1} ${y1}A${radius} ${radius} 0 0 ${sense > 0 ? 0 : 1} ${x2} ${y2}M${head(28)}L${x2} ${y2}L${head(-28)}` });
     }
 
+    /** Below the plate, the way that it slides. */
+    function slideArrow(unit) {
+      const [cx, cy] = data.center, last = data.shifted[data.shifted.length - 2], way = last < data.shifted[0] ? -1 : 1;
+      const y = -cy + 9 * unit, tip = cx + 24 * unit * way;
+      return element('path', { class: 'turn', d: `M${cx - 24 * unit * way} ${y}H${tip}M${tip - 7 * unit * way} ${y - 3.5 * unit}L${tip} ${y}L${tip - 7 * unit * way} ${y + 3.5 * unit}` });
+    }
+
     function build() {
       const extent = extentOf(data), width = extent.right - extent.left, height = extent.high - extent.low;
       const size = Math.max(width, height), unit = size / 420, room = 14 * unit;
@@ -134,10 +149,10 @@
       for (const path of paths)
         turning.append(element('path', { d: pathOf(path.points, path.closed), class: 'outline ' + path.style + (path.closed && !rim ? ' closed' : '') }, element('title', {}, path.name)));
       const first = walls[0].points;
-      turning.append(element('line', { x1: 0, y1: 0, x2: 0.94 * first[0], y2: -0.94 * first[1], class: 'datum' }, element('title', {}, 'mark at cam angle 0')));
+      if (!data.shifted) turning.append(element('line', { x1: 0, y1: 0, x2: 0.94 * first[0], y2: -0.94 * first[1], class: 'datum' }, element('title', {}, 'mark at cam angle 0')));
       svg.append(turning);
-      svg.append(element('circle', { cx: x, cy: y, r: 5 * unit, class: 'center' }), element('path', { class: 'center-cross', d: `M${x - 10 * unit} ${y}H${x + 10 * unit}M${x} ${y - 10 * unit}V${y + 10 * unit}` }));
-      svg.append(turnArrow(extent, unit));
+      if (!data.shifted) svg.append(element('circle', { cx: x, cy: y, r: 5 * unit, class: 'center' }), element('path', { class: 'center-cross', d: `M${x - 10 * unit} ${y}H${x + 10 * unit}M${x} ${y - 10 * unit}V${y + 10 * unit}` }));
+      svg.append(data.shifted ? slideArrow(unit) : turnArrow(extent, unit));
       const layer = element('g', {});
       moving = data.parts.map((part) => { const place = addPart(layer, part, unit); return { part, place }; });
       svg.append(layer);
@@ -158,7 +173,8 @@
       const [row, next, share] = angle.between();
       const turned = data.turned[row] * (1 - share) + data.turned[next] * share;
       const [cx, cy] = data.center;
-      turning.setAttribute('transform', `translate(${cx} ${-cy}) rotate(${-turned})`);
+      const [dx, dy] = [0, 1].map((i) => data.shifted ? data.shifted[2 * row + i] * (1 - share) + data.shifted[2 * next + i] * share : 0);
+      turning.setAttribute('transform', `translate(${cx + dx} ${-cy - dy}) rotate(${-turned})`);
       for (const { part, place } of moving) place(pointsNow(part, data.turned.length, angle));
       const [x, y] = [0, 1].map((i) => data.contact[2 * row + i] * (1 - share) + data.contact[2 * next + i] * share);
       contact.setAttribute('cx', x);

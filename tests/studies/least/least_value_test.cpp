@@ -141,7 +141,7 @@ TEST(LeastValue, NumberThatNeedsNothingIsZero) {
     const TestScene flat = flat_scene(60.0).with("limits = {}");
     const Solution solution = least_of(flat, "limits.pressure_angle_deg", 1e-4);  // of a pushed face always 0
     ASSERT_TRUE(solution.motion && solution.least);
-    EXPECT_GT(solution.least->value, 1e-6);
+    EXPECT_GT(solution.least->value, 1e-9);
     EXPECT_LT(solution.least->value, 1e-2);
     EXPECT_EQ(solution.least->verdict, Verdict::feasible);
     EXPECT_FALSE(solution.least->impossible);

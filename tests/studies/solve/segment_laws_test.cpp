@@ -35,8 +35,8 @@ TEST(SegmentLaw, PolynomialTakesStatesOfNeighbours) {
         for (std::size_t r = 0; r < 3; ++r)
             EXPECT_NEAR(before.derivative[r], after.derivative[r], 1e-9) << degrees << " deg, order " << r;
     }
-    // -300 mm/s at 360 deg/s, in lifts by x.
-    EXPECT_NEAR(solution.motion->at(210.0 / unit).derivative[1], -300.0 / 300.0 / 360.0 * unit, 1e-9);
+    // -320 mm/s at 360 deg/s, in lifts by x.
+    EXPECT_NEAR(solution.motion->at(210.0 / unit).derivative[1], -320.0 / 300.0 / 360.0 * unit, 1e-9);
     EXPECT_NEAR(solution.motion->at(0.0).derivative[2], 0.0, 1e-12);
 }
 
