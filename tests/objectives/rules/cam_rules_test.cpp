@@ -91,7 +91,6 @@ std::shared_ptr<const CamVariables> variables_of(const Scene& scene) {
     for (std::size_t d = 0; d < all.size(); ++d)
         if (all[d].value.is_variable())
             cam->variables.push_back({static_cast<int>(d), parameter++, all[d].value.high});
-    cam->own_variables = cam->variables.size();
     return cam;
 }
 
