@@ -118,7 +118,7 @@ struct FollowerGeometry {
     double pivot_distance = 0.0, arm = 0.0, face_offset = 0.0;  ///< swinging
     /// From the cam's centre at output 0: the roller's centre, the edge, the line of the face.
     double rest_distance = 0.0;
-    double turn = 0.0;      ///< of the frame
+    double turn = 0.0;  ///< of the frame
     /// How the cam slides in this frame, m for every radian; none: it turns about the origin.
     std::optional<Eigen::Vector2d> slide = {};
     /// Of a cam that reaches below the pivot: positions from here on are those of the arm's other side.

@@ -64,6 +64,9 @@ class LinearMechanism final : public CamMechanism,
     [[nodiscard]] std::string fault(std::span<const double> numbers, double least,
                                     double most) const override {
         if (number(numbers, travel) * form_.sense <= 0.0) return "the travel of the plate must not be 0";
+        for (const PlateNumber size : {base_height, PlateNumber::roller_radius, arm_length})
+            if (has_number(form_.follower, size) && !(number(numbers, size) > 0.0))
+                return fmt::format("{} must be above 0", name_of(size));
         if (!swings()) {
             const double lowest =
                 number(numbers, base_height) + least * std::cos(number(numbers, inclination));

@@ -17,6 +17,7 @@ import re
 import tomllib
 
 from .exact import Refuted, Unverified, number
+from .linear_rules import sense_of
 from .rational import Fraction, parsed
 
 KEYS = ("least", "largest", "least_gap")
@@ -119,6 +120,10 @@ def shrinks(scene, key, largest):
         return not largest and not loads_beside_contact
     if key.startswith("forces.spring_rate"):  # likewise, where s >= 0
         return not largest and not loads_beside_contact and never_below_zero(scene["motion"])
+    if key.startswith("cam.travel"):  # s' lies between bounds in proportion to the travel of a plate under a pushed follower
+        pushed = scene["cam"].get("follower", "").startswith("translating_") and scene["cam"].get("type") == "linear"
+        forwards = pushed and sense_of(scene["cam"]) > 0
+        return not largest and forwards and not loads_beside_contact and not contact and not has_limit(scene, RADII)
     if key.startswith("cam.base_radius"):  # tan(phi) = (s' - e)/(s0 + s), s0 grows with the radius
         follower = scene["cam"].get("follower", "")
         straight = follower.startswith("translating_") and scene["cam"].get("type", "disk") == "disk"

@@ -97,7 +97,8 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     check_closed(shape);
     if (shape.is_plate())
         throw InputError(
-            "an NC program: found a plate that slides; allowed: a cam that turns. profile.dxf and cam.step have "
+            "an NC program: found a plate that slides; allowed: a cam that turns. profile.dxf and cam.step "
+            "have "
             "the whole plate for a CAM system");
     if (shape.has_two_disks())
         throw InputError("an NC program: found two disks; allowed: one of them (made_pieces)");

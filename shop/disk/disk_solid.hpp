@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A disk cam as a solid with its bore and keyway, a plate with its sides and its bottom: triangles for STL, exact
-// edges for STEP.
+// A disk cam as a solid with its bore and keyway, a plate with its sides and its bottom: triangles for STL,
+// exact edges for STEP.
 //
 // Frame of report/drawing/profile_shape.hpp, between z = −thickness and z = 0. Only cams that close and that
 // are not undercut. m.

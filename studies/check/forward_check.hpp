@@ -24,7 +24,7 @@ struct ForwardCheckInput {
     FollowerGeometry follower;
     /// Of the cam, seen in the follower's frame, if it does not slide.
     Rotation rotation = Rotation::counterclockwise;
-    std::function<double(double theta)> designed;    ///< s of the output, m or rad
+    std::function<double(double theta)> designed;  ///< s of the output, m or rad
     /// From the follower's lift to s of the output, which is what is compared; NaN out of reach. Empty: the
     /// lift is the output.
     std::function<double(double lift)> output = {};

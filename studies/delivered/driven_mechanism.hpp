@@ -64,7 +64,8 @@ struct FollowerLoads {
     double force = 0.0, torque = 0.0, normal_force = 0.0;
     std::optional<double> hertz_pressure;
     int side = 0;  ///< which carries
-    std::optional<double> driving_force = {};  ///< N, along the travel of a cam that slides; > 0: it is pushed
+    std::optional<double> driving_force =
+        {};  ///< N, along the travel of a cam that slides; > 0: it is pushed
 };
 
 /// force: N or N m; point_of: the cam there, by side.

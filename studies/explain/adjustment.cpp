@@ -83,19 +83,28 @@ std::optional<DimensionIndex> index_named(const std::string& name) {
     return {};
 }
 
-/// Arms and radii of a cam with a base circle are positive; what else may be negative is for the formulas to
-/// say.
-bool has_sign(const CamSpec& cam, const CamDimension& dimension) {
-    if (cam.find(DimensionIndex::base_radius) == nullptr) return true;
-    const std::optional<DimensionIndex> index = index_named(dimension.name);
-    return index && is_offset(*index);
+/// Arms and radii of a cam with a base circle are positive. Of another cam a dimension without which it
+/// cannot be stays on its side of 0; what else may be negative is for the formulas to say.
+bool keeps_sign(const CamSpec& cam, std::size_t index) {
+    if (cam.find(DimensionIndex::base_radius) != nullptr) {
+        const std::optional<DimensionIndex> which = index_named(cam.dimensions[index].name);
+        return !(which && is_offset(*which));
+    }
+    std::vector<double> numbers = cam.middle();
+    const auto formulas = cam.formulas();
+    if (!formulas->fault(numbers, 0.0, 0.0).empty()) return false;
+    numbers[index] = 0.0;
+    return !formulas->fault(numbers, 0.0, 0.0).empty();
 }
 
 void add_dimension(std::vector<Adjustment>& all, const CamSpec& cam, std::size_t index, bool grows_only) {
     const CamDimension& dimension = cam.dimensions[index];
     const Dimension& value = dimension.value;
     const double unit = value.unit, size = size_of(cam, dimension);
-    const double largest = farthest_change * size / unit, least = has_sign(cam, dimension) ? -largest : 0.0;
+    const double farthest = farthest_change * size / unit;
+    const bool one_side = keeps_sign(cam, index);
+    const double least = one_side && !(value.low < 0.0) ? 0.0 : -farthest,
+                 largest = one_side && value.low < 0.0 ? 0.0 : farthest;
     const auto add = [&](const std::string& name, double number, const Range& range, bool upper) {
         all.push_back(number_adjustment(name, number, size / unit, range,
                                         [index, unit, upper](Scene& changed, double to) {

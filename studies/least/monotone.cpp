@@ -53,8 +53,9 @@ bool contact_tightens_with_speed(const Scene& scene) {
     return forces.preload + least_load >= limit_on(scene.limits, LimitedFigure::contact_force)->value;
 }
 
-/// Every limit loosens as the base radius grows.
-bool loosens_with_base_radius(const Scene& scene) {
+/// Every limit loosens as the base radius, or the travel of a plate towards -x, grows: s' lies between bounds
+/// in proportion to the travel.
+bool loosens_with_size(const Scene& scene) {
     const auto formulas = scene.cam->formulas();
     if (formulas->swings() || formulas->limit_structure().binds(MechanismQuantity::pressure_numerator, 1))
         return false;
@@ -81,7 +82,9 @@ std::optional<Tightens> tightening_of(const Scene& scene, std::string_view key) 
         return Tightens::downward;
     if ((is("motion.speed") || is("motion.engine_speed")) && only_tightens_with_speed(scene))
         return Tightens::upward;
-    if (scene.cam && is("cam.base_radius") && loosens_with_base_radius(scene)) return Tightens::downward;
+    const Dimension* const travel = scene.cam ? scene.cam->find("travel") : nullptr;
+    const bool grows = is("cam.base_radius") || (is("cam.travel") && travel != nullptr && travel->low > 0.0);
+    if (scene.cam && grows && loosens_with_size(scene)) return Tightens::downward;
     return std::nullopt;
 }
 

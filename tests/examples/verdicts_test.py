@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""verdicts_test.py SCENES SOLVED: every example scene of a disk cam comes to the verdict that the manual shows, with the
+"""verdicts_test.py SCENES SOLVED: every example scene of a disk or a linear cam comes to the verdict that the manual shows, with the
 limit that is active there (SOLVED: solve_examples.py)."""
 
 import json
@@ -22,6 +22,9 @@ EXPECTED = {
     "cam_roller": ("optimal", "limits.pressure_angle_deg"),
     "cam_smallest": ("optimal", "limits.pressure_angle_deg"),
     "cam_undercut": ("optimal", "limits.cam_radius_min_mm"),
+    "linear_arm": ("optimal", "limits.pressure_angle_deg"),
+    "linear_knife": ("optimal", "limits.concave_radius_min_mm"),
+    "linear_press": ("optimal", "limits.pressure_angle_deg"),
 }
 
 
@@ -41,7 +44,7 @@ def faults_of(result, verdict, limit):
 
 def main():
     scenes, solved = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    unknown = {path.stem for path in scenes.glob("cam_*.toml")} ^ set(EXPECTED)
+    unknown = {path.stem for path in scenes.glob("*.toml") if path.stem.startswith(("cam_", "linear_"))} ^ set(EXPECTED)
     faults = [f"{name}: is a scene or an expectation alone" for name in sorted(unknown)]
     for name, (verdict, limit) in EXPECTED.items():
         result = json.loads((solved / name / "result.json").read_text())

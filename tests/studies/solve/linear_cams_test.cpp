@@ -20,16 +20,33 @@ using namespace testing_support;
 /// A rise of 20 mm while the plate slides by `travel_mm`, in 24 cubic segments.
 TestScene wedge(double travel_mm, double inclination_deg,
                 const std::string& follower = "translating_roller") {
-    TestScene scene =
-        scene_named("linear_knife")
-            .with("motion.lift_mm = 20", "motion.rise_deg = 60", "limits.pressure_angle_deg = 30",
-                  "objective.reference = { velocity = 1.76, acceleration = 5.53, jerk = 69 }")
-            .set("cam.travel_mm", 6.0 * travel_mm)
-            .set("cam.inclination_deg", inclination_deg)
-            .set("limits.concave_radius_min_mm", 1e-3);
-    return follower == "translating_knife"
-               ? scene
-               : scene.set("cam.follower", follower).with("cam.roller_radius_mm = 0.5");
+    const TestScene scene(R"(
+[motion]
+type = "DRD"
+lift_mm = 20
+rise_deg = 60
+[spline]
+degree = 3
+segments = 24
+[objective]
+velocity = 0.4
+acceleration = 0.4
+jerk = 0.2
+reference = { velocity = 1.76, acceleration = 5.53, jerk = 69 }
+[cam]
+type = "linear"
+follower = "translating_knife"
+travel_mm = 100
+base_height_mm = 25
+[limits]
+pressure_angle_deg = 30
+[solver]
+tolerance = 1e-11
+)");
+    const TestScene own =
+        scene.set("cam.travel_mm", 6.0 * travel_mm).set("cam.inclination_deg", inclination_deg);
+    if (follower == "translating_knife") return own;
+    return own.set("cam.follower", follower).with("cam.roller_radius_mm = 0.5");
 }
 
 struct Reference {
