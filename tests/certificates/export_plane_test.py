@@ -291,7 +291,7 @@ class ExportOfPlaneCams(unittest.TestCase):
                             self.dxf.verify("\n".join(lines), scene, result)
                         continue
                     found = self.dxf.verify("\n".join(lines), scene, result)
-                    self.assertGreater(found.bounds["profile_mm"], 0.005)
+                    self.assertGreater(found.bounds["profile_mm"], 0.003)
                     self.assertIn(f"line {line},", found.places["profile_mm"])
                 other = scene | {"cam": scene["cam"] | {"travel_mm": -scene["cam"]["travel_mm"]}}
                 self.assertGreater(self.dxf.verify(drawing, other, result).bounds["profile_mm"], 1)

@@ -86,7 +86,7 @@ Eigen::Vector3d distance_to_disk(const CamSpec& spec, double prime) {
 
 class LinearCam : public testing::TestWithParam<CamSpec> {};
 
-TEST_P(LinearCam, IsTheLimitOfDisksOfGrowingRadius) {
+TEST_P(LinearCam, IsTheLimitOfGrowingDisks) {
     const Eigen::Vector3d near = distance_to_disk(GetParam(), 100.0),
                           far = distance_to_disk(GetParam(), 10000.0);
     EXPECT_LT(far.cwiseAbs().maxCoeff(), 2e-5);
@@ -135,7 +135,7 @@ class LinearPoints : public testing::TestWithParam<CamSpec> {
     }
 };
 
-TEST_P(LinearPoints, HaveTheNormalAndCurvatureOfTheirPath) {
+TEST_P(LinearPoints, HaveNormalAndCurvatureOfPath) {
     constexpr double step = 1e-4;
     for (const double theta : {0.2, 0.7, 1.0, 1.4, 1.9}) {
         const MechanismPoint point = at(theta);
@@ -167,7 +167,7 @@ TEST_P(LinearPoints, LeanByThePressureAngle) {
     }
 }
 
-TEST_P(LinearPoints, LieUnderTheFollowerInTheirPose) {
+TEST_P(LinearPoints, LieUnderFollowerInTheirPose) {
     for (const double theta : {0.0, 0.8, 1.6}) {
         const MechanismState state{numbers, rise_at(theta, lift), theta};
         const CamPose pose = formulas->plane()->pose(state);
@@ -195,7 +195,7 @@ TEST(LinearCamFault, NamesWhatCannotMove) {
               std::string::npos);
 }
 
-TEST(LinearCamFault, RefusesATravelThatPassesZero) {
+TEST(LinearCamFault, RefusesTravelThroughZero) {
     MotionSpec motion;
     motion.lift = 20 * mm;
     CamSpec spec = plate(translating_roller);
