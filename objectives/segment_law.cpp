@@ -43,7 +43,8 @@ class SegmentLaw {
         if (given) {
             const double angle = motion_.segments[before].angle;
             JointState state{given->velocity.value_or(0.0) / angle, {}};
-            if (given->acceleration) state.acceleration = *given->acceleration / (angle * angle);
+            if (given->acceleration || !other)
+                state.acceleration = given->acceleration.value_or(0.0) / (angle * angle);
             return state;
         }
         if (!other) return {};

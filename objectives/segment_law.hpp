@@ -4,8 +4,8 @@
 //
 //   "modified_sine(0.2)"  of the catalogue (motions/laws/law_catalogue.hpp)
 //   "polynomial"          the polynomial of least degree with the states of its neighbours at both ends: of
-//                         laws and dwells velocity and acceleration, what `end` of a joint and motion.start,
-//                         motion.end give, else rest
+//                         laws and dwells velocity and acceleration, what `end` of a joint gives, the
+//                         states of motion.start and motion.end, else rest
 //   one-dwell laws        with their top at the end where the motion turns back at once
 #pragma once
 

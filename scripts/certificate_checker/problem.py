@@ -268,7 +268,7 @@ class Problem:
         return other.kind != "dwell" and known and (own.to - own.start) * (other.to - other.start) < 0
 
     def state_given(self, segments, i, after):
-        """y' and y'' at an end of a segment: what the scene states (no acceleration: None), what a law beside it has, else rest."""
+        """y' and y'' at an end of a segment: what the scene states (of a joint without an acceleration: None), what a law beside it has, else rest."""
         other, count = (i + 1 if after else i - 1), len(segments)
         if not (0 <= other < count or self.wraps):
             point, width = self.motion.get("end" if after else "start"), self.stretches[i]
@@ -277,7 +277,7 @@ class Problem:
             point, width = segments[before].get("end"), self.stretches[before]
         if point is not None:
             found = [self.derivative_in_unit(point, value, width.end - width.begin) for value in ("velocity", "acceleration")]
-            return found[0] or Fraction(0), found[1]
+            return found[0] or Fraction(0), found[1] if found[1] is not None or 0 <= other < count or self.wraps else Fraction(0)
         beside = segments[other % count]
         if not (0 <= other < count or self.wraps) or beside["kind"] != "law" or beside["law"] == "polynomial":
             return Fraction(0), Fraction(0)

@@ -21,7 +21,8 @@ namespace scene_files_test {
 
 const std::filesystem::path sources = source_folder();
 const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid",
-                                   "constant_velocity", "simple_harmonic", "parabolic"},
+                                   "constant_velocity", "simple_harmonic", "parabolic", "polynomial",
+                                   "double_harmonic"},
                           .solvers = {},
                           .cam_formulas = cam_formulas};
 

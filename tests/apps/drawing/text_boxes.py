@@ -185,7 +185,7 @@ def pictures_of(program, scenes, solved, folder):
         if not (solved / name / "mechanism.svg").exists():
             raise SystemExit(f"{name}: no motion was found, so there is no picture to look at")
     for scene in sorted(scenes.glob("*.toml")):
-        if (solved / scene.stem / "profile.svg").exists():
+        if (solved / scene.stem / "profile.svg").exists() and 'type = "linear"' not in scene.read_text():
             drawn = folder / "drawn" / scene.stem
             export = subprocess.run([program, "export", solved / scene.stem, "--out", drawn, "--drawing", "svg"],
                                     capture_output=True, text=True)

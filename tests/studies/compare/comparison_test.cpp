@@ -188,8 +188,10 @@ TEST(Comparison, AxialRollerBaseRadiusMatchesDenseComputation) {
         if (info.top != TopEnd::dwell) continue;
         const std::unique_ptr<Law> law = make_law(info.key);
         double prime = 0.0;  // max of s'/tan φ − s
-        for (int k = 0; k <= 200000; ++k) {
-            const MotionPoint point = law->at(k / 200000.0);
+        std::vector<double> places = law->breakpoints();
+        for (int k = 0; k <= 200000; ++k) places.push_back(k / 200000.0);
+        for (const double x : places) {
+            const MotionPoint point = law->at(x);
             const double slope = 20e-3 / (pi / 3) * point.derivative[1];
             prime = std::max(prime, slope / std::tan(pi / 6) - 20e-3 * point.derivative[0]);
         }

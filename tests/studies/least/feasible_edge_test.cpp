@@ -86,7 +86,7 @@ TEST(FeasibleEdge, WholeNumbersStayWhole) {
 TEST(FeasibleEdge, ShortestDecimalLiesWithin) {
     EXPECT_EQ(shortest_decimal(10.1617, 10.1623), 10.162);
     EXPECT_EQ(shortest_decimal(10.1623, 10.1617), 10.162);
-    EXPECT_EQ(shortest_decimal(-3.27, -3.21), -3.26);
+    EXPECT_EQ(shortest_decimal(-3.275, -3.21), -3.27);
     EXPECT_EQ(shortest_decimal(1234.0, 1267.0), 1240.0);
     EXPECT_EQ(shortest_decimal(0.0, 0.0), 0.0);
     std::mt19937 random(11);

@@ -79,6 +79,19 @@ TEST(LinearCams, TooShortTravelIsInfeasible) {
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
 }
 
+TEST(LinearCams, ShortestTravelMatchesSlowestRise) {
+    const auto least = [](const TestScene& scene, const std::string& key) {
+        const Solution solution = solve(scene.set("objective.least", key).with("objective.least_gap = 1e-6"));
+        EXPECT_TRUE(solution.least && solution.least->impossible);
+        EXPECT_EQ(solution.least->verdict, Verdict::optimal);
+        return solution.least->value;
+    };
+    // tan 30° is reached where s' is largest: V = tan φ travel / lift on the rise, a sixth of the cycle.
+    const double slowest = least(wedge(200.0, 0.0), "limits.velocity");
+    const double shortest = least(wedge(200.0, 0.0), "cam.travel_mm");
+    EXPECT_NEAR(shortest, 6.0 * 20.0 * slowest * std::sqrt(3.0), 3e-6 * shortest);
+}
+
 TEST(LinearCams, TravelWithinRangeIsSearched) {
     const Solution solution = solve(
         wedge(60.0, 0.0).with("cam.travel_mm = { min = 200, max = 300 }", "limits.pressure_angle_deg = 30"));

@@ -72,7 +72,7 @@ TEST(SegmentLaw, UnequalReturnOfTurningLawHasInfiniteJerk) {
     const std::string unequal = segments(
         "{ kind = 'law', law = 'double_harmonic', angle_deg = 110, to = 1 }, { kind = 'law', law = "
         "'double_harmonic', angle_deg = 90, to = 0 }, { kind = 'dwell', angle_deg = 160 }");
-    EXPECT_EQ(solve(turning.with(unequal, "solver.explain = false")).certificate.verdict,
+    EXPECT_EQ(solve(turning.with(unequal, "solver.explain_seconds = 0.1")).certificate.verdict,
               Verdict::infeasible);
     const Solution solution = solve(turning.with(unequal, "limits = {}"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
@@ -88,7 +88,7 @@ TEST(SegmentLaw, TurningLawIsRefusedWhereMotionDwells) {
         (void)solve(
             turning.with(segments("{ kind = 'law', law = 'double_harmonic', angle_deg = 180, to = 1 }, "
                                   "{ kind = 'dwell', angle_deg = 90 }, { kind = 'law', law = "
-                                  "'cycloidal', angle_deg = 90, to = 0 }")));
+                                  "'cycloidal', angle_deg = 60, to = 0 }, { kind = 'dwell', angle_deg = 30 }")));
     });
     EXPECT_EQ(
         message,
