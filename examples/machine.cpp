@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two axes on one master: a pusher moves 100 mm forward and back, and a gripper must stay within 20 mm behind
-// it. The largest speed of the machine is searched; a little above it motions are proved impossible.
+// Two axes on one master: a pusher moves 100 mm forward and back, and a gripper must stay within 20.1 mm
+// behind it. The largest speed of the machine is searched; a little above it motions are proved impossible.
 #include <camopt/machine.hpp>
 #include <camopt/solve.hpp>
 #include <camopt/units.hpp>
@@ -31,7 +31,7 @@ int main() {
     machine.least_speed = 20 * units::revolution_per_minute;
     machine.most_speed = 600 * units::revolution_per_minute;
     machine.axes = {{"pusher", {}, slide(0.1, 130, 20, 45)}, {"gripper", {}, slide(0.08, 150, 40, 30)}};
-    machine.clearances = {{.axes = {0, 1}, .factors = {-1, 1}, .at_least = -0.02}};
+    machine.clearances = {{.axes = {0, 1}, .factors = {-1, 1}, .at_least = -0.0201}};
     const MachineSolution found = solve_machine(machine);
     std::printf("%s at %.2f rpm", name_of(found.certificate.verdict), found.speed * 30 / std::numbers::pi);
     if (found.impossible_above)

@@ -2,7 +2,7 @@
 #include "objectives/program_family.hpp"
 
 #include "motions/laws/law.hpp"
-#include "objectives/segment_law.hpp"
+#include "objectives/laws/segment_law.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/part_names.hpp"
 

@@ -4,12 +4,12 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
+#include "objectives/laws/segment_law.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/torque_rule.hpp"
-#include "objectives/segment_law.hpp"
 #include "objectives/spring_rules.hpp"
 #include "scene/part_names.hpp"
 

@@ -69,7 +69,7 @@ struct ProgramSegment {
     std::optional<double> to;        ///< displacement at its end, in lifts; none: free (law, spline)
     std::vector<SetPoint> via = {};  ///< kind spline
     std::optional<AngleRange> angle_range = {};  ///< searched, from `angle` on; closed programs only
-    /// Its law is the polynomial with the states of its neighbours (objectives/segment_law.hpp).
+    /// Its law is the polynomial with the states of its neighbours (objectives/laws/segment_law.hpp).
     [[nodiscard]] bool takes_states() const { return kind == SegmentKind::law && law == "polynomial"; }
     std::string to_unit =
         {};  ///< in which `to` was written ("mm"); it stays where the lift changes. Empty: lifts

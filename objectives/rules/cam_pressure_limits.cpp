@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law.hpp"
+#include "objectives/laws/segment_law.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/segment_law.hpp"
 #include "scene/motion/set_points.hpp"
 
 namespace camopt {

@@ -189,8 +189,10 @@ std::string curves_svg(const Document& document, const Curves& curves) {
 }
 
 std::vector<FolderFile> text_files(const Document& document, const RunOrigin& origin) {
-    std::vector<FolderFile> files = {{"report.md", document_markdown(document, origin)},
-                                     {"tables.csv", cells_csv(document)}};
+    std::vector<FolderFile> files = {{"report.md", document_markdown(document, origin)}};
+    std::string cells = cells_csv(document);
+    const bool has_cells = cells.find('\n') + 1 < cells.size();
+    if (has_cells) files.push_back({"tables.csv", std::move(cells)});
     for (const Section& section : document.sections)
         for (const Table& table : section.tables)
             if (!table.file.empty() && !table.rows.empty()) files.push_back({table.file, table_csv(table)});

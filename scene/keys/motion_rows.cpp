@@ -252,7 +252,7 @@ Rows motion() {
          "Cam angle of the segment; a range is searched, and the angles still add up to 360 deg (closed programs, "
          "two ranges or more).", segment_angle_place()}),
         {"motion.segments", "law", text, plain, any, {}, "none",
-         "A law of the catalogue, with numbers of its own in brackets (`modified_sine(0.2)`); kind `\"law\"` only, and needed there.",
+         "A law of the catalogue, with other numbers in brackets (`modified_sine(0.2)`); kind `\"law\"` only, and needed there.",
          stored_in(&Scene::motion, &MotionSpec::segments, each, &ProgramSegment::law)},
         called("displacement at its end", {"motion.segments", "to", number, displacement, any, {}, "free",
          "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free: the optimizer "

@@ -268,7 +268,7 @@ class Problem:
         return other.kind != "dwell" and known and (own.to - own.start) * (other.to - other.start) < 0
 
     def state_given(self, segments, i, after):
-        """y' and y'' at an end of a segment: what the scene states (of a joint without an acceleration: None), what a law beside it has, else rest."""
+        """y' and y'' at an end of a segment: what the scene states (of a joint without an acceleration: None), what a law next to it has, else rest."""
         other, count = (i + 1 if after else i - 1), len(segments)
         if not (0 <= other < count or self.wraps):
             point, width = self.motion.get("end" if after else "start"), self.stretches[i]
@@ -283,7 +283,7 @@ class Problem:
             return Fraction(0), Fraction(0)
         own = self.stretches[other % count]
         if own.start is None or own.to is None:
-            raise Unverified("a polynomial beside a law of a free displacement")
+            raise Unverified("a polynomial next to a law of a free displacement")
         return tuple(ends_of_law(own.law, order)[0 if after else 1] * (own.to - own.start) / (own.end - own.begin)**order
                      for order in (1, 2))
 

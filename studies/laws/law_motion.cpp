@@ -186,7 +186,8 @@ std::vector<LawStroke> strokes_of(const MotionSpec& motion) {
     strokes[0].from = 0.0;
     strokes[0].to = 1.0;
     const auto given = [](const std::optional<SetPoint>& point) {
-        return point ? JointState{point->velocity.value_or(0.0), point->acceleration.value_or(0.0)} : JointState{};
+        return point ? JointState{point->velocity.value_or(0.0), point->acceleration.value_or(0.0)}
+                     : JointState{};
     };
     if (motion.type != MotionType::rr) {
         strokes[0].ends = {given(motion.start), given(motion.end)};

@@ -15,8 +15,8 @@
 #pragma once
 
 #include "motions/laws/law.hpp"
+#include "objectives/laws/segment_law.hpp"
 #include "objectives/rules/model.hpp"
-#include "objectives/segment_law.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {

@@ -2,8 +2,8 @@
 #include "studies/restored/restored_solution.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/laws/segment_law.hpp"
 #include "objectives/scene_model.hpp"
-#include "objectives/segment_law.hpp"
 #include "scene/part_names.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"

@@ -2,8 +2,8 @@
 #include "studies/search/plan.hpp"
 
 #include "motions/laws/law.hpp"
+#include "objectives/laws/segment_law.hpp"
 #include "objectives/scene_family.hpp"
-#include "objectives/segment_law.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"

@@ -20,11 +20,11 @@ namespace camopt::input {
 namespace scene_files_test {
 
 const std::filesystem::path sources = source_folder();
-const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid",
-                                   "constant_velocity", "simple_harmonic", "parabolic", "polynomial",
-                                   "double_harmonic"},
-                          .solvers = {},
-                          .cam_formulas = cam_formulas};
+const KnownNames known = {
+    .laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid", "constant_velocity",
+             "simple_harmonic", "parabolic", "polynomial", "double_harmonic"},
+    .solvers = {},
+    .cam_formulas = cam_formulas};
 
 Scene known_scene(const std::filesystem::path& path, std::span<const std::string> settings) {
     return read_scene_file(path, known, settings);

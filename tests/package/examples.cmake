@@ -25,4 +25,4 @@ camopt_add_example(cam_in_the_loop
 camopt_add_example(own_term "optimal: objective 0\\.78635.*squared_acceleration at most 23\\.0400")
 camopt_add_example(limits_only
   "30 m/s2: optimal.*velocity: 550 of 550 mm/s.*15 m/s2: infeasible.*acceleration_m_s2 = 20 instead of 15")
-camopt_add_example(machine "optimal at 148\\.[12][0-9] rpm, impossible at 148\\.[2-4].*limited by clearance\\[0\\]")
+camopt_add_example(machine "optimal at 182\\.[23][0-9] rpm, impossible at 182\\.[34].*limited by clearance\\[0\\]")

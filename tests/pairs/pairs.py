@@ -46,8 +46,7 @@ OUTPUTS = {
     "dynamics": ("dynamics", ["SCENE", "--speeds", "100:200:3"], [
         "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
         "acceleration.svg", "force.svg", "dynamics.html", "report.md", "steady.csv", "tables.csv"]),
-    "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["report.md", "sweep.csv", "sweep.html", "sweep.json", "sweep.svg",
-                                                                    "tables.csv"]),
+    "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["report.md", "sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
     "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg", "report.md",
                                                    "tables.csv"]),
     "valves": ("valves", ["RESULT", "RESULT", "--gap-mm", "3"], ["report.html", "report.md", "tables.csv", "valves.csv", "valves.json", "valves.svg"]),

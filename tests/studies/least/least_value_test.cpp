@@ -112,7 +112,7 @@ TEST(LeastValue, IsLocalWhereNotMonotone) {
     EXPECT_LT(*solution.least->impossible, solution.least->value);
 }
 
-TEST(LeastValue, DwellThatGivesWayHasFewDigits) {
+TEST(LeastValue, ShrinkingDwellHasFewDigits) {
     const TestScene scene(R"(
 motion = { type = "program", lift_mm = 10, speed_rpm = 100, segments = [
     { kind = "spline", angle_deg = 60, to = 1 }, { kind = "dwell", angle_deg = 60 },

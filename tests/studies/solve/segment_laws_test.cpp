@@ -52,7 +52,7 @@ TEST(SegmentLaw, PolynomialBetweenDwellsIs345) {
     EXPECT_NEAR(of("polynomial").peaks.jerk.value, of("polynomial_345").peaks.jerk.value, 1e-9);
 }
 
-TEST(SegmentLaw, TurningLawHasItsTopWhereMotionTurns) {
+TEST(SegmentLaw, TurningLawTurnsWithTheMotion) {
     const Scene scene = turning;
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
@@ -68,7 +68,7 @@ TEST(SegmentLaw, TurningLawHasItsTopWhereMotionTurns) {
 }
 
 // The second derivative jumps at the top.
-TEST(SegmentLaw, UnequalReturnOfTurningLawHasInfiniteJerk) {
+TEST(SegmentLaw, UnequalReturnHasInfiniteJerk) {
     const std::string unequal = segments(
         "{ kind = 'law', law = 'double_harmonic', angle_deg = 110, to = 1 }, { kind = 'law', law = "
         "'double_harmonic', angle_deg = 90, to = 0 }, { kind = 'dwell', angle_deg = 160 }");
@@ -83,12 +83,12 @@ TEST(SegmentLaw, UnequalReturnOfTurningLawHasInfiniteJerk) {
         "another law");
 }
 
-TEST(SegmentLaw, TurningLawIsRefusedWhereMotionDwells) {
+TEST(SegmentLaw, TurningLawIsRefusedAtDwells) {
     const std::string message = refusal([] {
-        (void)solve(
-            turning.with(segments("{ kind = 'law', law = 'double_harmonic', angle_deg = 180, to = 1 }, "
-                                  "{ kind = 'dwell', angle_deg = 90 }, { kind = 'law', law = "
-                                  "'cycloidal', angle_deg = 60, to = 0 }, { kind = 'dwell', angle_deg = 30 }")));
+        (void)solve(turning.with(
+            segments("{ kind = 'law', law = 'double_harmonic', angle_deg = 180, to = 1 }, "
+                     "{ kind = 'dwell', angle_deg = 90 }, { kind = 'law', law = "
+                     "'cycloidal', angle_deg = 60, to = 0 }, { kind = 'dwell', angle_deg = 30 }")));
     });
     EXPECT_EQ(
         message,
@@ -116,7 +116,8 @@ TEST(SegmentLaw, OwnNumbersAreReadAgain) {
                 make_law("modified_sine", std::array{0.2})->peaks().jerk.value, 1e-9);
     const std::string result = result_json(solution);
     EXPECT_NE(result.find("\"modified_sine(0.2)\""), std::string::npos);
-    const Solution again = restored_solution(scene, read_result(result, "result.json", [&]() -> const Scene& { return scene; }));
+    const Solution again =
+        restored_solution(scene, read_result(result, "result.json", [&]() -> const Scene& { return scene; }));
     EXPECT_EQ(again.peaks.jerk.value, solution.peaks.jerk.value);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/segment_law.hpp"
+#include "objectives/laws/segment_law.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/faults/scene_faults.hpp"
