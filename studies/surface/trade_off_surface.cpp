@@ -68,6 +68,7 @@ class SurfaceSearch {
 
     [[nodiscard]] TradeOffSurface run() {
         std::vector<std::string> keys;
+        keys.reserve(std::size(surface_terms));
         for (const FrontFigure term : surface_terms)
             keys.push_back(fmt::format("objective.{}", name_of(FrontGoal(term))));
         const Scene within = weighted(scene_, Eigen::Vector3d::Constant(1.0 / 3.0));
