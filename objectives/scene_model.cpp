@@ -227,6 +227,11 @@ Peaks prescribed_peaks(const MotionSpec& motion, std::span<const MotionFamily::S
 
 /// V, A, J of a prescribed motion are the largest over its laws: constants of the cost, and caps on each law.
 void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
+    const std::span<const MotionFamily::Stretch> stretches = model.design.stretches();
+    std::vector<Peaks> peaks(stretches.size());
+    for (std::size_t s = 0; s < stretches.size(); ++s)
+        if (stretches[s].kind == StretchRequest::Kind::shape)
+            peaks[s] = prescribed_peaks(scene.motion, stretches, s);
     for (const CostTerm& term : cost_terms()) {
         const double weight = term.weight_in(scene.objective);
         const std::optional<PeakLimit>* const limit =
@@ -237,8 +242,7 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             if (stretch.kind != StretchRequest::Kind::shape) continue;
             const StretchScale& scale = model.stretch_scales[s];
             const std::string& law = scene.motion.segments[s].law;
-            const double own = term.measured.of(prescribed_peaks(scene.motion, model.design.stretches(), s)) *
-                               by_own_measure(term.measured, stretch, scale);
+            const double own = term.measured.of(peaks[s]) * by_own_measure(term.measured, stretch, scale);
             if (weight > 0.0 && !std::isfinite(own))
                 throw SceneError(
                     {fmt::format("objective.{}", term.name()),

@@ -100,14 +100,12 @@ LawInfo reversed_info(const Law& law) {
 class ReversedLaw final : public Law {
  public:
     explicit ReversedLaw(std::shared_ptr<const Law> base)
-        : Law(reversed_info(*base)), base_(std::move(base)) {}
-
-    [[nodiscard]] std::vector<double> breakpoints() const override {
-        std::vector<double> points = base_->breakpoints();
-        std::ranges::reverse(points);
-        for (double& point : points) point = 1.0 - point;
-        return points;
+        : Law(reversed_info(*base)), base_(std::move(base)), base_places_(base_->breakpoints()) {
+        std::ranges::reverse(base_places_);
+        for (const double place : base_places_) places_.push_back(1.0 - place);
     }
+
+    [[nodiscard]] std::vector<double> breakpoints() const override { return places_; }
     [[nodiscard]] std::optional<std::array<Interval, 5>> ranges(const Interval& x) const override {
         const auto base = base_->ranges({1.0 - x.upper, 1.0 - x.lower});
         if (!base) return {};
@@ -116,7 +114,13 @@ class ReversedLaw final : public Law {
 
  private:
     [[nodiscard]] LawDerivatives evaluate(double x, Side side) const override {
-        return reversed(base_->derivatives(1.0 - x, side == Side::left ? Side::right : Side::left));
+        std::size_t piece = 0;
+        while (piece + 2 < places_.size() &&
+               (side == Side::right ? x >= places_[piece + 1] : x > places_[piece + 1]))
+            ++piece;
+        // Rounding of 1 - x must not lead to a neighbouring piece of f.
+        const double end = base_places_[piece], u = std::clamp(1.0 - x, base_places_[piece + 1], end);
+        return reversed(base_->derivatives(u, u == end ? Side::left : Side::right));
     }
     template <class T>
     [[nodiscard]] static std::array<T, 5> reversed(const std::array<T, 5>& y) {
@@ -124,6 +128,7 @@ class ReversedLaw final : public Law {
     }
 
     std::shared_ptr<const Law> base_;
+    std::vector<double> places_, base_places_;  ///< breakpoints, and those of f that they are made of
 };
 
 }  // namespace

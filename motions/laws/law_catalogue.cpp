@@ -80,24 +80,17 @@ LawRow odd_harmonics(const LawInfo& info, const std::vector<double>& amplitudes)
     return pieces(info, {piece});
 }
 
-/// SCCA with a width Ta of its sine: towards 0 simple harmonic, at 1/4 cycloidal.
-std::unique_ptr<Law> modified_sine(std::span<const double> at) {
-    const double ta = at[0];
-    require("modified_sine", "Ta", ta, {kNarrowestPiece, 0.25});
-    LawInfo info = info_of("modified_sine", fmt::format("Modified sine (Ta = {})", ta), 2,
-                           "Schmidt; Norton, Cam Design and Manufacturing Handbook");
-    info.parameters = {{"Ta", ta}};
-    return harmonic(std::move(info), scca_pieces({ta, 0.0, 0.5 - ta, 0.0}));
-}
-
-/// SCCA with a width Ta of its sine and its cosine: towards 0 parabolic, at 1/4 cycloidal.
-std::unique_ptr<Law> modified_trapezoid(std::span<const double> at) {
-    const double ta = at[0];
-    require("modified_trapezoid", "Ta", ta, {kNarrowestPiece, 0.25});
-    LawInfo info = info_of("modified_trapezoid", fmt::format("Modified trapezoid (Ta = {})", ta), 2,
-                           "Neklutin; Norton, Cam Design and Manufacturing Handbook");
-    info.parameters = {{"Ta", ta}};
-    return harmonic(std::move(info), scca_pieces({ta, 0.5 - 2.0 * ta, ta, 0.0}));
+/// SCCA with a sine of the width Ta: modified sine (the rest cosine; towards 0 simple harmonic), modified
+/// trapezoid (a cosine as wide, between them constant; towards 0 parabolic). Both are cycloidal at 1/4.
+LawRow modified(const char* key, const char* title, const char* source, SccaParts (*parts)(double ta)) {
+    constexpr double customary = 0.125;
+    return {{customary}, [=](std::span<const double> at) {
+                const double ta = at[0];
+                require(key, "Ta", ta, {kNarrowestPiece, 0.25});
+                LawInfo info = info_of(key, fmt::format("{} (Ta = {})", title, ta), 2, source);
+                info.parameters = {{"Ta", ta}};
+                return harmonic(std::move(info), scca_pieces(parts(ta)));
+            }};
 }
 
 /// SCCA with a sine up to a and a cosine down to 0 at b; the velocity is constant over the part 1 - 2b.
@@ -189,8 +182,13 @@ std::vector<LawRow> laws_between_dwells() {
         polynomial(info_of("polynomial_4567", "4-5-6-7 polynomial", 3), {0, 0, 0, 0, 35, -84, 70, -20}),
         polynomial(info_of("polynomial_56789", "5-6-7-8-9 polynomial", 4),
                    {0, 0, 0, 0, 0, 126, -420, 540, -315, 70}),
-        {{eighth}, modified_sine},
-        {{eighth}, modified_trapezoid},
+        modified("modified_sine", "Modified sine", "Schmidt; Norton, Cam Design and Manufacturing Handbook",
+                 [](double ta) { return SccaParts{.sine = ta, .cosine = 0.5 - ta}; }),
+        modified("modified_trapezoid", "Modified trapezoid",
+                 "Neklutin; Norton, Cam Design and Manufacturing Handbook",
+                 [](double ta) {
+                     return SccaParts{ta, 0.5 - 2.0 * ta, ta, 0.0};
+                 }),
         constant_velocity("mcv_50", 1.0 / 16.0, 0.25),
         constant_velocity("mcv_33", 1.0 / 12.0, third),
         constant_velocity("mcv_20", 0.1, 0.4),

@@ -77,10 +77,11 @@ std::vector<AccelerationPiece> ramped_pieces(const RampedParts& parts) {
         if (parts.ramp < 0.5) pieces.push_back(constant_piece(up, down, height));
         if (parts.ramp > 0.0) pieces.push_back(ramp_piece(down, end, height, 0.0));
     };
-    const double end = parts.acceleration, coast = parts.coast > 0.0 ? end + parts.coast : end;
-    add(0.0, end, 1.0);
-    if (parts.coast > 0.0) pieces.push_back(zero_piece(end, coast));
-    add(coast, 1.0, -end / (1.0 - coast));
+    const double fast = parts.acceleration;  // from there to `slowing` the velocity is constant
+    const double slowing = parts.coast > 0.0 ? fast + parts.coast : fast;
+    add(0.0, fast, 1.0);
+    if (parts.coast > 0.0) pieces.push_back(zero_piece(fast, slowing));
+    add(slowing, 1.0, -fast / (1.0 - slowing));
     return pieces;
 }
 

@@ -19,6 +19,11 @@ constexpr double same_velocity = 1e-9;  // of two laws that join, relative
         {segment_key(index, "law"), fmt::format("\"{}\", {}", motion.segments[index].law, found), allowed});
 }
 
+/// A law where it ends, or begins, from inside.
+MotionPoint end_of(const Law& law, bool at_end) {
+    return at_end ? law.at(1.0, Side::left) : law.at(0.0, Side::right);
+}
+
 /// One segment of a program among its neighbours.
 class SegmentLaw {
  public:
@@ -51,7 +56,7 @@ class SegmentLaw {
         const ProgramSegment& beside = motion_.segments[*other];
         if (beside.kind != SegmentKind::law || beside.takes_states()) return {};
         const std::shared_ptr<const Law> law = make_law(beside.law);
-        const MotionPoint point = after ? law->at(0.0, Side::right) : law->at(1.0, Side::left);
+        const MotionPoint point = end_of(*law, !after);
         const std::optional<double> rise = rise_of(*other);
         const auto in_lifts = [&rise](double derivative) -> std::optional<double> {
             if (derivative == 0.0) return 0.0;
@@ -89,8 +94,7 @@ class SegmentLaw {
         if (motion_.segments[index].kind == SegmentKind::dwell) return 0.0;
         const std::optional<double> rise = rise_of(index);
         if (law == nullptr || !rise) return {};
-        const MotionPoint point = at_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
-        return *rise * point.derivative[1] / motion_.segments[index].angle;
+        return *rise * end_of(*law, at_end).derivative[1] / motion_.segments[index].angle;
     }
 
     /// An end that moves is joined by a spline, which takes its velocity, by a law of the same velocity, or
@@ -148,11 +152,7 @@ class SegmentLaw {
         if (!begin.velocity || !end.velocity)
             refuse(motion_, index_, "next to a law that moves on by a free displacement",
                    "a displacement `to` of that law");
-        const double angle = segment().angle, velocity = angle / *rise, acceleration = velocity * angle;
-        EndStates ends{*begin.velocity * velocity, *end.velocity * velocity};
-        if (begin.acceleration) ends.start_acceleration = *begin.acceleration * acceleration;
-        if (end.acceleration) ends.end_acceleration = *end.acceleration * acceleration;
-        return make_polynomial(ends);
+        return polynomial_between({begin, end}, *rise, segment().angle);
     }
 };
 
@@ -165,6 +165,15 @@ std::shared_ptr<const Law> segment_law(const MotionSpec& motion, std::size_t ind
 std::array<JointState, 2> joint_states(const MotionSpec& motion, std::size_t index) {
     const SegmentLaw segment(motion, index);
     return {segment.joint(false), segment.joint(true)};
+}
+
+std::shared_ptr<const Law> polynomial_between(const std::array<JointState, 2>& ends, double rise,
+                                              double width) {
+    const double velocity = width / rise, acceleration = velocity * width;
+    EndStates states{ends[0].velocity.value() * velocity, ends[1].velocity.value() * velocity};
+    if (ends[0].acceleration) states.start_acceleration = *ends[0].acceleration * acceleration;
+    if (ends[1].acceleration) states.end_acceleration = *ends[1].acceleration * acceleration;
+    return make_polynomial(states);
 }
 
 std::vector<std::optional<double>> given_levels(const MotionSpec& motion) {

@@ -27,6 +27,11 @@ struct JointState {
 /// else rest.
 [[nodiscard]] std::array<JointState, 2> joint_states(const MotionSpec& motion, std::size_t index);
 
+/// The polynomial of least degree with these states over a stroke; states by the same variable as the width.
+/// rise: not 0. The velocities are known.
+[[nodiscard]] std::shared_ptr<const Law> polynomial_between(const std::array<JointState, 2>& ends,
+                                                            double rise, double width);
+
 /// Displacements at the joints of the own segments as far as the scene gives them, in lifts: a dwell keeps
 /// it, a closed program ends at 0.
 [[nodiscard]] std::vector<std::optional<double>> given_levels(const MotionSpec& motion);

@@ -127,10 +127,7 @@ ReferenceMotion reference_motion(const Scene& scene) {
     reference.title = words_of(law->key());
     reference.peaks = law->peaks();
     if (scene.motion.type == MotionType::rr) {
-        MotionSpec from_rest = scene.motion;  // what peaks are compared with is the law from rest to rest
-        from_rest.start.reset();
-        from_rest.end.reset();
-        const LawMotion placed = law_motion(strokes_of(from_rest), false, std::move(law));
+        const LawMotion placed = law_motion(strokes_of(scene.motion), false, std::move(law));
         reference.motion = std::make_unique<MotionChain>(*placed.motion);
         reference.peaks = placed.peaks;
     } else if (scene.motion.type == MotionType::drd) {

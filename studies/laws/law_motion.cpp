@@ -64,19 +64,15 @@ std::string moving_joint(std::span<const LawStroke> strokes, bool closed) {
     return fmt::format("rests at its ends, where {} begins or ends in motion", segment_words(joined));
 }
 
-/// The polynomial between the ends of a stroke; null: the stroke does not rise, or a velocity is free.
-std::shared_ptr<const Law> polynomial_on(const LawStroke& stroke) {
-    const double rise = rise_of(stroke), width = width_of(stroke);
-    const auto &first = stroke.ends[0].velocity, &last = stroke.ends[1].velocity;
-    if (std::abs(rise) <= smallest_rise || !first || !last) return nullptr;
-    EndStates ends{*first * width / rise, *last * width / rise};
-    const auto normalised = [&](const std::optional<double>& acceleration) -> std::optional<double> {
-        if (!acceleration) return {};
-        return *acceleration * width * width / rise;
-    };
-    ends.start_acceleration = normalised(stroke.ends[0].acceleration);
-    ends.end_acceleration = normalised(stroke.ends[1].acceleration);
-    return make_polynomial(ends);
+/// The law on a stroke; null: the polynomial, where the stroke does not rise or a velocity is free.
+std::shared_ptr<const Law> placed_law(const LawStroke& stroke, const std::shared_ptr<const Law>& law,
+                                      bool takes_states) {
+    if (stroke.kind != SegmentKind::spline) return stroke.law;
+    if (!takes_states) return law;
+    const double rise = rise_of(stroke);
+    const bool known = stroke.ends[0].velocity && stroke.ends[1].velocity;
+    if (std::abs(rise) <= smallest_rise || !known) return nullptr;
+    return polynomial_between(stroke.ends, rise, width_of(stroke));
 }
 
 /// Turns every stroke so that the law's top lies where the motion turns; says why where it cannot.
@@ -244,12 +240,8 @@ LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std:
     if (!result.misfit.empty()) return result;
     std::vector<std::shared_ptr<const Law>> laws;
     for (const LawStroke& stroke : placed) {
-        if (stroke.kind != SegmentKind::spline) {
-            laws.push_back(stroke.law);
-            continue;
-        }
-        laws.push_back(takes_states ? polynomial_on(stroke) : law);
-        if (laws.back()) continue;
+        laws.push_back(placed_law(stroke, law, takes_states));
+        if (laws.back() || stroke.kind != SegmentKind::spline) continue;
         result.misfit =
             fmt::format("rises between known states, which {} does not have", segment_words(laws.size() - 1));
         return result;

@@ -326,6 +326,17 @@ TEST(ReversedLaw, RunsFromEndToBegin) {
         EXPECT_NEAR(turned[0], 1.0 - own[0], 1e-15);
         for (std::size_t r = 1; r < 5; ++r) EXPECT_EQ(turned[r], r % 2 == 1 ? own[r] : -own[r]);
     }
+    // 1 - (1 - x) is not x: at its breakpoints the law stays in its own piece.
+    const auto jumping = make_law("reversed_trapezoid(0.3, 0.41)");
+    EXPECT_NEAR(jumping->peaks().acceleration.value,
+                make_law("trapezoid(0.3, 0.41)")->peaks().acceleration.value, 1e-12);
+    for (const double x : jumping->breakpoints()) {
+        if (x == 0.0 || x == 1.0) continue;
+        const double before = jumping->derivatives(x, Side::left)[2],
+                     after = jumping->derivatives(x, Side::right)[2];
+        EXPECT_NEAR(std::min(std::abs(before), std::abs(after)), 0.0, 1e-12);
+        EXPECT_GT(std::max(std::abs(before), std::abs(after)), 1.0);
+    }
     const auto ranges = reversed->ranges({0.9, 0.95});
     ASSERT_TRUE(ranges);
     const LawDerivatives inside = reversed->derivatives(0.93);
