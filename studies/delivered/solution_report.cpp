@@ -5,6 +5,7 @@
 #include "objectives/drive_rules.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
+#include "studies/delivered/made_limits.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -129,6 +130,7 @@ void report_cam(Solution& solution, std::vector<double> dimensions) {
         limit.verified = is_verified(solution.cam->limits_along, limit.key);
         solution.constraints.push_back(std::move(limit));
     }
+    if (solution.scene.tolerance) hold_for_made_cams(solution);
 }
 
 /// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".

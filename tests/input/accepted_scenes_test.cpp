@@ -119,7 +119,16 @@ std::map<std::string, Get> plain_members() {
         FIELD(solver.explain_changes), FIELD(solver.explain_seconds), FIELD(solver.gap), FIELD(solver.max_seconds),
         FIELD(solver.name), FIELD(solver.options), FIELD(solver.seed), FIELD(solver.starts), FIELD(solver.tolerance),
         FIELD_AS("spline.breakpoints", spline.breakpoints.at(1)), FIELD_AS("spline.continuity", spline.smoothness()),
-        FIELD(spline.degree), FIELD(spline.design), FIELD(spline.end_jerk), FIELD(spline.free_knots), FIELD(spline.segments)};
+        FIELD(spline.degree), FIELD(spline.design), FIELD(spline.end_jerk), FIELD(spline.free_knots), FIELD(spline.segments),
+        FIELD_AS("tolerance.profile", tolerance->motion.at(0)), FIELD_AS("tolerance.slope", tolerance->motion.at(1)),
+        FIELD_AS("tolerance.acceleration", tolerance->motion.at(2)),
+        FIELD_AS("tolerance.base_radius", tolerance->numbers.at("base_radius").size),
+        FIELD_AS("tolerance.roller_radius", tolerance->numbers.at("roller_radius").size),
+        FIELD_AS("tolerance.arm_length", tolerance->numbers.at("arm_length").size),
+        FIELD_AS("tolerance.preload", tolerance->numbers.at("preload").size),
+        FIELD_AS("tolerance.preload_percent", tolerance->numbers.at("preload").size),
+        FIELD_AS("tolerance.spring_rate", tolerance->numbers.at("spring_rate").size),
+        FIELD_AS("tolerance.spring_rate_percent", tolerance->numbers.at("spring_rate").size)};
     std::map<std::string, Get> members;
     for (auto [name, get] : written) {
         for (std::size_t at = name.find("->"); at != std::string::npos; at = name.find("->"))
