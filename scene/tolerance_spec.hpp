@@ -26,8 +26,8 @@ struct ToleranceSpec {
     /// |δ|, |δ'|, |δ''|; none: 0 of δ and δ', not bounded of δ'' (limits on s'' and curvature then leave
     /// it out, and say so).
     std::array<std::optional<double>, 3> motion = {};
-    /// By the name of a dimension of the cam ("base_radius"), of a number of the spring ("preload",
-    /// "spring_rate").
+    /// By the name under which a scene writes a dimension of the cam ("base_radius", CamSpec::written_as) or
+    /// a number of the spring ("preload", "spring_rate").
     std::map<std::string, NumberTolerance> numbers = {};
 
     [[nodiscard]] double of_motion(std::size_t order) const {

@@ -171,7 +171,7 @@ void add_tolerances(KeyTable& table) {
             row.type == number_or_range && std::ranges::any_of(cam_kinds(), [&](const CamKind& kind) {
                 return kind.knows(row.table, row.name);
             });
-        if (is_dimension)
+        if (is_dimension && std::ranges::find(rows, row.name, &KeyRow::name) == rows.end())
             rows.push_back(key_rows::tolerance_of(
                 row, table.texts.emplace_back(fmt::format("± of `{}.{}`.", row.table, row.name))));
     }

@@ -22,11 +22,10 @@ std::vector<TolerantNumber> tolerant_numbers(const Scene& scene, const CamVariab
     std::vector<TolerantNumber> all;
     for (const auto& [name, tolerance] : scene.tolerance->numbers) {
         TolerantNumber number{name};
-        const auto own = std::ranges::find(scene.cam->dimensions, name, &CamDimension::name);
-        if (own != scene.cam->dimensions.end()) {
-            number.dimension = static_cast<int>(own - scene.cam->dimensions.begin());
-            number.half_width =
-                tolerance.half_width(std::max(std::abs(own->value.low), std::abs(own->value.high)));
+        if (const int own = scene.cam->written_as(name); own >= 0) {
+            const Dimension& value = scene.cam->dimensions[static_cast<std::size_t>(own)].value;
+            number.dimension = own;
+            number.half_width = tolerance.half_width(std::max(std::abs(value.low), std::abs(value.high)));
         }
         for (std::size_t k = 0; scene.forces && k < spring_numbers.size(); ++k) {
             if (std::string_view(spring_numbers[k].key) != "forces." + name) continue;

@@ -36,13 +36,13 @@ Fault foreign_unit(const Scene& scene) {
 Fault foreign_number(const Scene& scene) {
     std::vector<std::string> known;
     for (const CamDimension& dimension : scene.cam->dimensions)
-        if (!dimension.value.key.empty()) known.push_back(dimension.name);
+        if (const std::string name = written_name(dimension.value); !name.empty()) known.push_back(name);
     if (scene.forces)
         for (const char* const name : {"preload", "spring_rate"}) known.emplace_back(name);
     for (const auto& [name, tolerance] : scene.tolerance->numbers) {
         if (!(tolerance.size >= 0.0) || !std::isfinite(tolerance.size))
             return SceneFault{"tolerance." + name, fmt::format("{}", tolerance.size), "a number >= 0"};
-        if (std::ranges::find(known, name) == known.end())
+        if (scene.cam->written_as(name) < 0 && std::ranges::find(known, name) == known.end())
             return SceneFault{"tolerance." + name, "a number that this cam does not have",
                               listed(known, " or ")};
     }

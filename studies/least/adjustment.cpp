@@ -288,11 +288,12 @@ void add_tolerances(std::vector<Adjustment>& all, const Scene& scene) {
             add_tolerance(all, scene, motion_tolerance_names[order], of_motion[order], *size,
                           [order](ToleranceSpec& own, double to) { own.motion[order] = to; });
     for (const auto& [name, tolerance] : scene.tolerance->numbers) {
-        const Dimension* const dimension = scene.cam->find(name);
-        const Spelling si = dimension != nullptr && unit_of_key(dimension->key) != nullptr
-                                ? *unit_of_key(dimension->key)
-                            : name == "preload" ? unit_named<"N">
-                                                : unit_named<"N/mm">;
+        const int own = scene.cam->written_as(name);
+        const Spelling* const of_dimension =
+            own < 0 ? nullptr : unit_of_key(scene.cam->dimensions[static_cast<std::size_t>(own)].value.key);
+        const Spelling si = of_dimension != nullptr ? *of_dimension
+                            : name == "preload"     ? unit_named<"N">
+                                                    : unit_named<"N/mm">;
         add_tolerance(all, scene, name + (tolerance.percent ? "_percent" : ""),
                       tolerance.percent ? unit_named<""> : si, tolerance.size,
                       [name = name](ToleranceSpec& own, double to) { own.numbers.at(name).size = to; });
