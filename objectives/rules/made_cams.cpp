@@ -74,6 +74,7 @@ MadeCam with_ends(const Scene& scene, const CamVariables& variables, std::span<c
     return made;
 }
 
+constexpr std::string_view made_mark = "made ";
 constexpr std::array derivative_marks = {"s", "s'", "s''"};
 
 /// Bit r of `ends` is 1 where the r-th derivative has its error to the lower side. Returns whether every bit
@@ -89,7 +90,7 @@ bool move_motion(CamVariables& variables, const ToleranceSpec& tolerance, unsign
         append_item(moved, fmt::format("{}{}", derivative_marks[order], sign_of(lower)), " ");
     }
     if (!variables.made.empty()) append_item(moved, variables.made);
-    variables.made = moved.empty() ? moved : "made " + moved;
+    variables.made = moved.empty() ? moved : std::string(made_mark) + moved;
     return true;
 }
 
@@ -147,6 +148,12 @@ void add_cam(std::vector<Family>& families, const Rules& rules, const std::strin
 }
 
 }  // namespace
+
+std::string made_cam_of(const CamRule& rule) {
+    const std::string remark = rule.origin().remark;
+    const std::size_t begin = remark.find(made_mark);
+    return begin == std::string::npos ? std::string() : remark.substr(begin);
+}
 
 void visit_made_cams(const Scene& scene, const CamVariables& variables, const MadeCamVisit& visit) {
     const ToleranceSpec& tolerance = *scene.tolerance;

@@ -23,6 +23,9 @@ using MadeCamVisit = std::function<void(const Scene& scene, const CamVariables& 
 /// Every choice of ends, the one with every number at its upper end first.
 void visit_made_cams(const Scene& scene, const CamVariables& variables, const MadeCamVisit& visit);
 
+/// CamVariables::made of the cam that a rule belongs to; empty: the one that is drawn.
+[[nodiscard]] std::string made_cam_of(const CamRule& rule);
+
 /// `one`: the limits of one cam, always the same rules in the same order. Their remarks say which cam they
 /// belong to: "made s+ s'-, base_radius-".
 [[nodiscard]] std::vector<std::shared_ptr<const CamRule>> limits_of_made_cams(

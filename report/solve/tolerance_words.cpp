@@ -20,11 +20,7 @@ std::string percent(double part) {
 
 /// "the profile error", "the tolerance of the base radius"
 std::string words_of_tolerance(const std::string& key) {
-    std::string name = key.substr(key.find('.') + 1);
-    for (const char* const motion : motion_tolerance_names)
-        if (name == motion) return fmt::format("the {} error", name);
-    std::ranges::replace(name, '_', ' ');
-    return fmt::format("the tolerance of the {}", name);
+    return "the " + key_words(key).words;
 }
 
 std::string price_sentence(const Solution& solution) {

@@ -6,6 +6,9 @@
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_report.hpp"
 
+#include <map>
+#include <set>
+
 namespace camopt {
 
 namespace {
@@ -52,14 +55,28 @@ double error_of(const Scene& scene, const PeakLimitRow& row) {
     return scene.motion_error(row.order()) * limit.unit_per_normalised();
 }
 
+/// The cams that are the worst of some limit.
+std::set<std::string> worst_cams(const Solution& solution, const Scene& scene) {
+    std::map<std::string, EnclosedLimit> worst;
+    for (EnclosedLimit& one : enclosed_limits(scene, solution.cam->cam, *solution.motion)) {
+        const auto [own, first] = worst.try_emplace(one.key, one);
+        if (!first && one.worst > own->second.worst) own->second = std::move(one);
+    }
+    std::set<std::string> cams;
+    for (const auto& entry : worst) cams.insert(entry.second.made);
+    return cams;
+}
+
 }  // namespace
 
 std::vector<ConstraintReport> made_constraints(const Solution& solution, const Scene& scene) {
+    const std::set<std::string> cams = worst_cams(solution, scene);
     CamVariables drawn;
     drawn.cam = solution.cam.value().cam;
     drawn.scale = {scene.motion.lift, scene.motion.unit_angle()};
     std::vector<ConstraintReport> all;
     visit_made_cams(scene, drawn, [&](const Scene& own, const CamVariables& made) {
+        if (!cams.contains(made.made)) return;
         const MadeMotion motion(*solution.motion, normalised(made.motion_error, made.scale));
         CamReport report;
         report.cam = made.cam;

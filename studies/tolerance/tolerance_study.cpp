@@ -70,7 +70,7 @@ class ToleranceStudy {
             report_.open.emplace_back(what);
             return std::nullopt;
         }
-        const Solution found = solve_without_explaining(scene, control_);
+        const Solution found = solve_without_explaining(scene, control_, nullptr, {.look = true});
         if (found.motion && std::isfinite(found.certificate.objective)) return found.certificate.objective;
         report_.open.emplace_back(what);
         return std::nullopt;
