@@ -3,8 +3,8 @@
 
 #include "objectives/rules/made_cams.hpp"
 #include "scene/limit_table.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/delivered/solution_report.hpp"
 
 #include <map>
 #include <set>

@@ -2,8 +2,8 @@
 // Limits that hold for every cam within the tolerances, against references of independent linear programs
 // (docs/tolerances.md) and against cams drawn at random from the tolerances.
 #include "scene/limit_table.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/delivered/solution_report.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/scene_kit.hpp"
 
@@ -206,7 +206,7 @@ std::string refusal(const std::function<void()>& use) {
     return {};
 }
 
-TEST(Tolerances, OfANumberTheCamHasNotAreRefused) {
+TEST(Tolerances, OfForeignNumbersAreRefused) {
     Scene scene = rise();
     scene.tolerance.emplace();
     scene.tolerance->numbers["arm_length"] = {1e-3};
