@@ -85,8 +85,9 @@ CLI::App& add_inspect(CLI::App& program, InspectRequest& request) {
     add_option(
         command, "--columns", request.columns, "NAMES",
         "Names of the columns in the order of the file, such as theta_deg,s_mm; default: in its first line");
-    add_option(command, "--tolerance-um", request.tolerance_um, "T",
-               "Largest deviation allowed after alignment")
+    add_option(
+        command, "--tolerance-um", request.tolerance_um, "T",
+        "Largest deviation allowed after alignment; default: of displacements tolerance.profile of the scene")
         ->check(CLI::PositiveNumber);
     add_option(command, "--probe-radius-mm", request.probe_radius_mm, "R",
                "Points are centres of a ball; default: 0")

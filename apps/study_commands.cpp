@@ -132,6 +132,9 @@ ExitCode inspect_command(const InspectRequest& request) {
             "or with displacements that are lengths");
     std::optional<double> tolerance = request.tolerance_um;
     if (tolerance) *tolerance *= unit_named<"um">.factor;
+    // The error of the follower's displacement that the scene was solved for.
+    if (!tolerance && nominal.scene.tolerance && !table.points)
+        tolerance = nominal.scene.tolerance->motion[0];
     const Inspection found =
         inspect_cam(nominal, table, request.probe_radius_mm * units::millimetre, tolerance);
     write_and_print(inspection_document(found, fmt::format("{} compared with {}", table.file, request.scene)),

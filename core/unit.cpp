@@ -6,13 +6,27 @@ namespace camopt {
 const Spelling* unit_of_key(std::string_view key) {
     using Units = std::span<const Spelling>;
     const Spelling* found = nullptr;
-    for (const Units units :
-         {Units(spellings::length), Units(spellings::cam_angle), Units(spellings::speed),
-          Units(spellings::frequency), Units(spellings::feed), Units(spellings::vibration),
-          Units(spellings::travel_per_turn), Units(spellings::mass), Units(spellings::inertia),
-          Units(spellings::density), Units(spellings::force_or_moment), Units(spellings::pressure),
-          Units(spellings::spring_rate), Units(spellings::train_spring), Units(spellings::damper),
-          Units(spellings::velocity), Units(spellings::acceleration), Units(spellings::jerk)})
+    for (const Units units : {Units(spellings::length),
+                              Units(spellings::cam_angle),
+                              Units(spellings::speed),
+                              Units(spellings::frequency),
+                              Units(spellings::feed),
+                              Units(spellings::vibration),
+                              Units(spellings::travel_per_turn),
+                              Units(spellings::mass),
+                              Units(spellings::inertia),
+                              Units(spellings::density),
+                              Units(spellings::force_or_moment),
+                              Units(spellings::pressure),
+                              Units(spellings::spring_rate),
+                              Units(spellings::train_spring),
+                              Units(spellings::damper),
+                              Units(spellings::velocity),
+                              Units(spellings::acceleration),
+                              Units(spellings::jerk),
+                              Units(spellings::profile_error),
+                              Units(spellings::slope_error),
+                              Units(spellings::acceleration_error)})
         for (const Spelling& one : units)
             if (!one.suffix.empty() && key.ends_with(one.suffix) &&
                 (found == nullptr || one.suffix.size() > found->suffix.size()))

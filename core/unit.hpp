@@ -266,6 +266,13 @@ inline constexpr auto acceleration =
 inline constexpr auto jerk =
     units_named<"", "mm/s^3", "in/s^3", "m/s^3", "deg/s^3", "rad/s^3", "mm/rad^3", "in/rad^3", "m/rad^3",
                 "mm/deg^3", "in/deg^3", "deg/deg^3", "rad/rad^3">;
+// Of the motion of a made cam.
+inline constexpr auto profile_error = units_named<"um", "mm", "in", "m", "mdeg", "deg", "rad">;
+inline constexpr auto slope_error =
+    units_named<"um/deg", "mm/deg", "mm/rad", "in/deg", "in/rad", "m/rad", "mdeg/deg", "deg/deg", "rad/rad">;
+inline constexpr auto acceleration_error =
+    units_named<"um/deg^2", "mm/deg^2", "mm/rad^2", "in/deg^2", "in/rad^2", "m/rad^2", "mdeg/deg^2",
+                "deg/deg^2", "rad/rad^2">;
 inline constexpr auto ramp_velocity = units_named<"mm/deg", "in/deg", "mm/rad", "in/rad", "deg/deg">;
 
 }  // namespace spellings

@@ -179,6 +179,7 @@ std::vector<WrittenBound> motion_bounds(const Scene& scene, const MotionFamily& 
         if (const auto& limit = row.in(scene.limits); limit && row.side != 0)
             add_sided(all, row, *limit, family, scales);
     for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
+    for (WrittenBound& bound : all) bound.bound -= scene.motion_error(bound.order);  // of a made cam
     for (WrittenBound& bound : drive_bounds(scene, family)) all.push_back(std::move(bound));
     return all;
 }

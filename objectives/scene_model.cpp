@@ -145,12 +145,24 @@ void add_known_points(CamModel& model, const Scene& scene) {
     model.known_points = std::move(points);
 }
 
-/// |y^{(order)}| <= most.
-void add_cap(CamModel& model, const PeakLimit& limit, int order, double most, int stretch) {
+/// |y^{(order)}| <= most − error, the error of a made cam.
+void add_cap(CamModel& model, const PeakLimit& limit, int order, double most, double error, int stretch) {
+    const double bound = most - error;
     for (const int sign : {1, -1}) {
-        LinearBound cap{limit.key, order, sign, most, most};
+        LinearBound cap{limit.key, order, sign, bound, bound > 0.0 ? bound : most};
         cap.stretch = stretch;
         model.rules.push_back(cap.rule());
+    }
+}
+
+/// A normalised limit on the motion of a made cam: in a program on each spline stretch.
+void add_caps(CamModel& model, const PeakLimit& limit, int order, double error) {
+    if (model.stretch_scales.empty()) return add_cap(model, limit, order, limit.normalised, error, -1);
+    for (int s = 0; s < static_cast<int>(model.design.own_stretches().size()); ++s) {
+        if (model.design.stretches()[s].kind != StretchRequest::Kind::spline) continue;
+        const StretchScale& scale = model.stretch_scales[s];
+        add_cap(model, limit, order, limit.normalised * scale.displacement / std::pow(scale.angle, order),
+                error, s);
     }
 }
 
@@ -254,7 +266,7 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             if (limit == nullptr || !*limit || (*limit)->physical()) continue;
             const double most =
                 (*limit)->normalised * scale.displacement / std::pow(scale.angle, term.measured.order);
-            add_cap(model, **limit, term.measured.order, most, s);
+            add_cap(model, **limit, term.measured.order, most, scene.motion_error(term.measured.order), s);
         }
         const double figure = term.kind == CostTerm::Kind::rms ? std::sqrt(squares / width) : largest;
         if (weight > 0.0) model.cost_constant += weight * figure / term.measured.of(reference);
@@ -269,14 +281,16 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference, cons
         if (peak && source.order < 3) model.entry_scale[source.order] = source.reference;
         if (peak && source.order == 3) model.jerk_reference = source.reference;
         const std::optional<PeakLimit>& limit = *source.limit;
+        const double error = limit ? scene.motion_error(source.order) : 0.0;
         const bool caps_motion = limit && limit->physical() && !model.stretch_scales.empty();
-        if (caps_motion) add_cap(model, *limit, source.order, limit->normalised, -1);
-        if (prescribed || (source.weight == 0.0 && (!limit || caps_motion))) continue;
+        if (caps_motion) add_cap(model, *limit, source.order, limit->normalised, error, -1);
+        if (limit && error > 0.0 && !caps_motion && !prescribed) add_caps(model, *limit, source.order, error);
+        if (prescribed || (source.weight == 0.0 && (!limit || caps_motion || error > 0.0))) continue;
         const int index = static_cast<int>(model.parameters.size());
         model.parameters.push_back(
             {name_of_term(source), source.kind, source.order, source.reference, source.weight});
         if (source.kind != Parameter::Kind::rms) add_epigraph(model, source, index);
-        if (peak && limit && !caps_motion) {
+        if (peak && limit && !caps_motion && error == 0.0) {
             const double upper = limit->normalised / source.reference;
             model.parameter_rows.push_back({limit->key, {index}, {1.0}, upper, true, upper});
         }

@@ -55,6 +55,18 @@ const Dimension* CamSpec::find(std::string_view name) const {
     return found == dimensions.end() ? nullptr : &found->value;
 }
 
+std::string written_name(const Dimension& value) {
+    std::string name = value.key.substr(value.key.find('.') + 1);
+    if (const Spelling* const unit = unit_of_key(value.key)) name.resize(name.size() - unit->suffix.size());
+    return name;
+}
+
+int CamSpec::written_as(std::string_view name) const {
+    const auto found = std::ranges::find_if(
+        dimensions, [&](const CamDimension& one) { return written_name(one.value) == name; });
+    return found == dimensions.end() ? -1 : static_cast<int>(found - dimensions.begin());
+}
+
 std::string CamSpec::choice(const std::string& name) const {
     const auto found = choices.find(name);
     return found == choices.end() ? std::string() : found->second;

@@ -37,6 +37,9 @@ struct Dimension {
     friend bool operator==(const Dimension&, const Dimension&) = default;
 };
 
+/// Its key without table and unit: "base_radius". Empty: this variant of the kind has no such dimension.
+[[nodiscard]] std::string written_name(const Dimension& value);
+
 struct CamDimension {
     std::string name;  ///< "base_radius", "coupler"
     Dimension value;   ///< without a key: this variant of the kind has no such dimension
@@ -77,6 +80,9 @@ struct CamSpec {
     /// Null if the cam has no such dimension.
     [[nodiscard]] const Dimension* find(std::string_view name) const;
     [[nodiscard]] const Dimension* find(DimensionIndex index) const { return find(name_of(index)); }
+    /// Index of the dimension that scenes write under this name, without table and unit ("cylinder_radius");
+    /// −1: this variant of the kind has none.
+    [[nodiscard]] int written_as(std::string_view name) const;
     /// The word chosen; empty: the kind has no such choice.
     [[nodiscard]] std::string choice(const std::string& name) const;
     /// A number or a range; without a key the current one remains. Throws InputError if the cam has no such

@@ -84,6 +84,12 @@ std::vector<LoadSpeed> Scene::load_speeds() const {
     return all;
 }
 
+double Scene::motion_error(int order) const {
+    if (!tolerance) return 0.0;
+    return tolerance->of_motion(static_cast<std::size_t>(order)) * std::pow(motion.unit_angle(), order) /
+           motion.lift;
+}
+
 int Scene::nearest_harmonic() const {
     const double ratio = forces.value().spring_frequency.value() / motion.speed.value();
     constexpr double beyond = 2.0 * most_harmonic;  // find_fault() refuses it

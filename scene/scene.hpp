@@ -11,6 +11,7 @@
 #include "scene/dynamics_spec.hpp"
 #include "scene/key_row.hpp"
 #include "scene/own_rule.hpp"
+#include "scene/tolerance_spec.hpp"
 #include "scene/valve_spec.hpp"
 
 namespace camopt {
@@ -402,6 +403,7 @@ struct Scene {
     LimitSpec limits;
     std::optional<DynamicsSpec> dynamics;       ///< an elastic follower train; needs a speed
     std::optional<DriveSpec> drive;             ///< a motor in place of a cam; needs a speed
+    std::optional<ToleranceSpec> tolerance;     ///< of the made cam: every limit holds for all within it
     std::optional<MeasuredMotion> measured;     ///< beside the optimum, or where its search begins
     std::optional<MeasuredRows> measured_rows;  ///< of a scene file: what `measured` was made from
     std::optional<DrawingSpec> drawing;  ///< of a disk cam: what drawings and solids need beside the profile
@@ -423,6 +425,9 @@ struct Scene {
     /// then the ends of forces.speed_range; default from 0 where a spring loads the cam and the Hertz
     /// pressure is limited. There are forces and a speed.
     [[nodiscard]] std::vector<LoadSpeed> load_speeds() const;
+    /// The largest error of the r-th derivative of the motion of a made cam, in lifts by x^r; 0 without a
+    /// tolerance of it.
+    [[nodiscard]] double motion_error(int order) const;
     /// k >= 1 of the harmonic of the cam's speed that is nearest to the natural frequency of the spring. The
     /// scene has both.
     [[nodiscard]] int nearest_harmonic() const;

@@ -163,6 +163,21 @@ KeyPlace cam_place(const KeyRow& row) {
     return place;
 }
 
+/// Every dimension of a cam may have a tolerance.
+void add_tolerances(KeyTable& table) {
+    Rows rows;
+    for (const KeyRow& row : table.rows) {
+        const bool is_dimension =
+            row.type == number_or_range && std::ranges::any_of(cam_kinds(), [&](const CamKind& kind) {
+                return kind.knows(row.table, row.name);
+            });
+        if (is_dimension && std::ranges::find(rows, row.name, &KeyRow::name) == rows.end())
+            rows.push_back(key_rows::tolerance_of(
+                row, table.texts.emplace_back(fmt::format("± of `{}.{}`.", row.table, row.name))));
+    }
+    table.add(rows);
+}
+
 KeyTable all_rows() {
     KeyTable all;
     all.add(key_rows::before_cam());
@@ -170,6 +185,7 @@ KeyTable all_rows() {
     for (const CamKind& kind : cam_kinds())
         for (const KeyRow& row : kind.rows) all.add_of_kind(row);
     all.add(key_rows::after_cam());
+    add_tolerances(all);
     add_words_of_variants(all.rows);
     for (KeyRow& row : all.rows) {
         row.cam_types = kinds_that_know(row);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/cam_limits.hpp"
 
+#include "objectives/rules/made_cams.hpp"
 #include "scene/limit_table.hpp"
 
 namespace camopt {
@@ -176,9 +177,8 @@ void add_inequality(CamModel& model, const CamSpec& spec, std::span<const Signed
     model.parameter_rows.push_back(std::move(row));
 }
 
-}  // namespace
-
-std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene, const CamVariables& variables) {
+/// Of one cam.
+std::vector<std::shared_ptr<const CamRule>> limits_of_cam(const Scene& scene, const CamVariables& variables) {
     Limits limits(scene, variables);
     const CamMechanism& cam = limits.cam();
     add_pressure(limits);
@@ -191,6 +191,13 @@ std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene, const
     add_face_width(limits);
     add_forces(limits);
     return limits.taken();
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene, const CamVariables& variables) {
+    if (!scene.tolerance) return limits_of_cam(scene, variables);
+    return limits_of_made_cams(scene, variables, limits_of_cam);
 }
 
 void add_reach_rows(CamModel& model, const CamSpec& spec) {

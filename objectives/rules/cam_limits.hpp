@@ -26,8 +26,8 @@
 
 namespace camopt {
 
-/// Every limit of the scene on its cam; empty if it has none. Throws InputError for a limit that the follower
-/// cannot have.
+/// Every limit of the scene on its cam, with tolerances for every cam within them; empty if it has none.
+/// Throws InputError for a limit that the follower cannot have.
 [[nodiscard]] std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene,
                                                                      const CamVariables& variables);
 

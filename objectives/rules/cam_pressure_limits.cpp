@@ -61,9 +61,9 @@ namespace {
 
 using enum MechanismQuantity;
 
-/// sign · N cos φm − D sin φm over L, with s' = 0 put in.
-MechanismValue excess_at_rest(CamCall call, const PressureSide& side, double length) {
-    call.state.output.velocity = 0.0;
+/// sign · N cos φm − D sin φm over L, with the s' of rest put in: 0, or the error of a made cam.
+MechanismValue excess_at_rest(CamCall call, const PressureSide& side, double length, double slope) {
+    call.state.output.velocity = slope;
     MechanismValue value =
         1.0 / length * call.cam.pressure_excess(side.limit, side.sign, call.state, side.station, call.active);
     value.gradient[1] = 0.0;
@@ -75,7 +75,7 @@ MechanismValue excess_at_rest(CamCall call, const PressureSide& side, double len
 void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool at_rest,
               std::vector<double> places = {}) {
     side.limit = limit.value;
-    const double length = limits.length();
+    const double length = limits.length(), slope = limits.variables().motion_error[1];
     CamFormula formula;
     formula.name = limit.key;
     formula.sign = side.sign;
@@ -83,7 +83,7 @@ void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool
     formula.scale = limit.value;
     formula.places = std::move(places);
     formula.value = [=](const CamCall& call) {
-        if (at_rest) return excess_at_rest(call, side, length);
+        if (at_rest) return excess_at_rest(call, side, length, slope);
         return 1.0 / length *
                call.cam.pressure_excess(side.limit, side.sign, call.state, side.station, call.active);
     };
@@ -92,14 +92,14 @@ void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool
         if (known == nullptr) return {};
         if (!at_rest) return known->pressure_over(side.limit, side.sign, call.state, side.station);
         MechanismStateOver still = call.state;
-        still.velocity = {};
+        still.velocity = RangeOver(slope);
         return known->pressure_over(side.limit, side.sign, still, side.station);
     };
     formula.along = [=](const CamCallAlong& call) -> std::optional<RangeAlong> {
         const MechanismEnclosures* const known = call.cam.enclosures();
         if (known == nullptr) return {};
         MechanismStateAlong state = call.state;
-        if (at_rest) state.velocity = {};
+        if (at_rest) state.velocity = RangeAlong(slope);
         const auto excess = known->pressure_along(side.limit, side.sign, state, side.station);
         if (!excess) return {};
         return 1.0 / length * *excess;

@@ -19,6 +19,11 @@ RuleData data_of(const CamFormula& formula, const CamVariables& cam) {
     return data;
 }
 
+/// An error of 0 leaves every bit.
+RangeOver moved(const RangeOver& number, double error) {
+    return error == 0.0 ? number : number + RangeOver(error);
+}
+
 }  // namespace
 
 CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
@@ -55,8 +60,10 @@ std::optional<RangeAlong> CamRule::range_along(const Interval& x, const std::arr
     // By x, like the rule's slope along the motion: only s', s'' are by the cam angle.
     const std::array<double, 3> unit = units();
     const auto along = [&](std::size_t order) {
-        const Interval by(unit[order]);
-        return RangeAlong(by * derivatives[order], by * derivatives[order + 1], by * derivatives[order + 2]);
+        const Interval by(unit[order]), error(cam_->motion_error[order]);
+        const Interval own = by * derivatives[order];
+        return RangeAlong(cam_->motion_error[order] == 0.0 ? own : own + error, by * derivatives[order + 1],
+                          by * derivatives[order + 2]);
     };
     const Interval angle(cam_->scale.unit_angle);
     const std::vector<double> dimensions = cam_->dimensions_for(q);
@@ -69,13 +76,17 @@ std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, doub
     if (!formula_.over || box.size() > RangeOver::most) return {};
     ++*cam_->profile_points;
     const std::array<double, 3> unit = units();
+    const auto motion = [&](int order) {
+        const auto place = static_cast<std::size_t>(order);
+        return moved(RangeOver::variable(box[place], order, unit[place]), cam_->motion_error[place]);
+    };
     MechanismStateOver state{std::vector<RangeOver>(cam_->cam.dimensions.begin(), cam_->cam.dimensions.end()),
-                             RangeOver::variable(box[0], 0, unit[0]), RangeOver::variable(box[1], 1, unit[1]),
-                             RangeOver::variable(box[2], 2, unit[2]),
+                             motion(0), motion(1), motion(2),
                              Interval(cam_->scale.unit_angle) * Interval(at)};
     for (std::size_t k = 0; k < active_.size(); ++k)
         state.dimensions[active_[k]] =
-            RangeOver::variable(box[4 + k], 4 + static_cast<int>(k), cam_->variables[k].reference);
+            moved(RangeOver::variable(box[4 + k], 4 + static_cast<int>(k), cam_->variables[k].reference),
+                  cam_->variables[k].error);
     return formula_.over({*cam_->cam.formulas, state});
 }
 
@@ -101,7 +112,11 @@ RuleValue CamRule::normalised(const MechanismValue& physical) const {
 RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     ++*cam_->profile_points;
     const std::vector<double> dimensions = cam_->dimensions_for(q);
-    const MechanismState state{dimensions, state_of(point, cam_->scale), cam_->scale.unit_angle * point.x};
+    FollowerState output = state_of(point, cam_->scale);
+    output.s += cam_->motion_error[0];
+    output.velocity += cam_->motion_error[1];
+    output.acceleration += cam_->motion_error[2];
+    const MechanismState state{dimensions, output, cam_->scale.unit_angle * point.x};
     return normalised(formula_.value({*cam_->cam.formulas, state, active_, cam_->own_variables()}));
 }
 

@@ -2,6 +2,7 @@
 // Limits of a cam of any kind as rules: formulas of one state of the cam, generic over the algebra.
 #pragma once
 
+#include "core/text/list_text.hpp"
 #include "objectives/rules/model.hpp"
 #include "scene/scene.hpp"
 
@@ -214,6 +215,7 @@ class Limits {
     }
 
     void add(CamFormula formula) {
+        if (!variables_->made.empty()) append_item(formula.remark, variables_->made);
         rules_.push_back(std::make_shared<CamRule>(variables_, std::move(formula)));
     }
     /// Of a rule that holds at one station of several.

@@ -28,7 +28,8 @@ std::vector<double> CamVariables::dimensions_for(const Eigen::VectorXd& q) const
     std::vector<double> own = cam.dimensions;
     const std::size_t count = std::min(variables.size(), static_cast<std::size_t>(q.size()));
     for (std::size_t k = 0; k < count; ++k)
-        own[variables[k].dimension] = variables[k].reference * q[static_cast<Eigen::Index>(k)];
+        own[variables[k].dimension] =
+            variables[k].reference * q[static_cast<Eigen::Index>(k)] + variables[k].error;
     return own;
 }
 

@@ -15,12 +15,16 @@ struct CamVariables {
         int dimension = 0;       ///< its index among the cam's dimensions
         int parameter = 0;       ///< index among the problem's parameters
         double reference = 1.0;  ///< m or rad in one unit of the parameter
+        double error = 0.0;      ///< of a made cam: what is added to it, SI
     };
     DrivenMechanism cam;
     MotionScale scale;
     std::vector<Variable> variables;  ///< dimensions of the cam, then numbers of its spring
     /// By spring_numbers: one that is variable has a place after the dimensions of the cam; −1: fixed.
     std::array<int, spring_numbers.size()> spring = {-1, -1};
+    /// Of a made cam (objectives/rules/made_cams.hpp): what is added to s, s', s'', SI.
+    std::array<double, 3> motion_error = {};
+    std::string made = {};  ///< in its rows' remarks; empty: as on the drawing
     /// Number of evaluated points of the cam: shared by all rules of a problem; threads may count
     /// concurrently.
     std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
@@ -32,7 +36,8 @@ struct CamVariables {
     }
     /// The dimensions for all parameters of a problem.
     [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
-    /// The dimensions for a rule's own parameters q, one for each of the variables, or of the first of them.
+    /// The dimensions for a rule's own parameters q, one for each of the variables, or of the first of them,
+    /// with their errors.
     [[nodiscard]] std::vector<double> dimensions_for(const Eigen::VectorXd& q) const;
     /// The dimension is variable.
     [[nodiscard]] bool is_variable(int dimension) const {

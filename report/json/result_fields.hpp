@@ -59,6 +59,20 @@ inline void fields(const JsonFields& json, LeastReport& least) {
     json("limited_by", least.limited_by);
 }
 
+inline void fields(const JsonFields& json, ToleranceReport& tolerance) {
+    json("price", tolerance.price);
+    json.each("worst", tolerance.decides, [](const JsonFields& one, ToleranceReport::Decides& decides) {
+        one("limit", decides.limit);
+        one("tolerance", decides.tolerance);
+    });
+    json.each("halved", tolerance.halved, [](const JsonFields& one, ToleranceReport::Halved& halved) {
+        one("tolerance", halved.tolerance);
+        one("gain", halved.gain);
+    });
+    json("segments_worth_making", tolerance.segments_worth);
+    json.unless("open", tolerance.open, std::vector<std::string>{});
+}
+
 inline void fields(const JsonFields& json, SolverReport& solver) {
     json("name", solver.name);
     json("termination", solver.termination);
@@ -133,6 +147,7 @@ void run_fields(const JsonFields& json, auto& run) {
     json("notes", run.notes);
     json.unless("machine", run.machine, "");
     json.unless("least", run.least, std::nullopt);
+    json.unless("tolerance", run.tolerance, std::nullopt);
 }
 
 }  // namespace camopt

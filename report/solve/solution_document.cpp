@@ -8,6 +8,7 @@
 #include "report/solve/least_words.hpp"
 #include "report/solve/motion_remarks.hpp"
 #include "report/solve/solution_tables.hpp"
+#include "report/solve/tolerance_words.hpp"
 #include "report/valves/valve_tables.hpp"
 #include "report/view/broken_limits.hpp"
 #include "report/view/cam_words.hpp"
@@ -270,6 +271,7 @@ Document solution_document(const Solution& solution, const RunOrigin& origin, co
     all.push_back(listing("dynamics", "Dynamics", train_sentences(solution)));
     all.push_back(drive_section(solution));
     add_cam(all, solution);
+    all.push_back(listing("tolerance", "Tolerances", tolerance_sentences(solution)));
     all.push_back(design_section(solution.design));
     all.push_back(effort_section(solution));
     all.push_back(listing("notes", "Notes", solution.notes, Where::markdown));

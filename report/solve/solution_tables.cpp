@@ -242,12 +242,17 @@ Table limit_table(const Solution& solution) {
                 {},
                 verification_words(solution.constraints)};
     table.note_where = Where::reports;
-    for (const ConstraintReport& row : solution.constraints)
+    const bool made = solution.scene.tolerance.has_value();
+    if (made) table.columns.insert(table.columns.begin() + 4, {.key = "made"});
+    for (const ConstraintReport& row : solution.constraints) {
         table.rows.push_back(
             {key_words(row.key).words, row.key, written_cell(row.limit, row.unit),
              written_cell(row.worst, row.unit).in_words(reached_text(row)),
              is_nowhere(row) ? Cell() : angle_cell(solution, row.at),
              fmt::format("{}{}", standing_words(solution, row), row.verified ? "; verified" : "")});
+        std::vector<Cell>& cells = table.rows.back();
+        if (made) cells.insert(cells.begin() + 4, row.made ? written_cell(*row.made, row.unit) : Cell());
+    }
     return table;
 }
 

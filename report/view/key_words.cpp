@@ -53,10 +53,24 @@ std::string verb_of(const Relaxation& row, const KeyWords& key) {
 
 }  // namespace
 
+namespace {
+
+/// Of a key of [tolerance] without its unit: "profile error", "tolerance of the base radius".
+std::string tolerance_words(std::string_view key) {
+    if (std::ranges::find(motion_tolerance_names, key) != motion_tolerance_names.end())
+        return fmt::format("{} error", key);
+    constexpr std::string_view percent = "_percent";
+    if (key.ends_with(percent)) key.remove_suffix(percent.size());
+    return fmt::format("tolerance of the {}", words_of(key));
+}
+
+}  // namespace
+
 KeyWords key_words(std::string_view key, std::string_view remark) {
     if (is_listed(key)) return listed_key_words(key);
     KeyWords found;
     found.limit = key.starts_with("limits.") || key.starts_with("own.");
+    const bool is_tolerance = key.starts_with("tolerance.");
     if (const std::size_t table = key.find('.'); table != std::string_view::npos)
         key.remove_prefix(table + 1);
     const std::string_view end_of_range = key.ends_with(".max")   ? "largest "
@@ -76,6 +90,7 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
             side = "largest ";
     }
     found.words = fmt::format("{}{}", side, words_of(key));
+    if (is_tolerance) found.words = tolerance_words(key);
     for (const std::string end : {"start", "end"})  // a state there
         if (key.starts_with(end + "."))
             found.words = fmt::format("{} at the {}", words_of(key.substr(end.size() + 1)), end);

@@ -186,7 +186,8 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = drawing_fault(scene)) return fault;
     if (Fault fault = dynamics_fault(scene)) return fault;
     if (Fault fault = drive_fault(scene)) return fault;
-    return limit_fault(scene);
+    if (Fault fault = limit_fault(scene)) return fault;
+    return tolerance_fault(scene);
 }
 
 void validate(const Scene& scene) {

@@ -24,6 +24,7 @@ inline constexpr double same_place = 1e-12;
 [[nodiscard]] Fault dynamics_fault(const Scene& scene);  ///< the elastic train, and the terms that need one
 [[nodiscard]] Fault drive_fault(const Scene& scene);     ///< the motor, and what needs one
 [[nodiscard]] Fault limit_fault(const Scene& scene);
+[[nodiscard]] Fault tolerance_fault(const Scene& scene);  ///< of numbers that the cam or its spring has
 [[nodiscard]] Fault limit_unit_fault(const Scene& scene, LimitedFigure figure);  ///< does it fit the lift
 [[nodiscard]] Fault own_rules_fault(const Scene& scene);  ///< terms and limits of the program
 

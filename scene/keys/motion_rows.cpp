@@ -305,6 +305,9 @@ Rows other_tables() {
         {"", "drive", table, plain, any, {}, "no motor",
          "A motor in place of a cam: a servo axis; needs a speed.", stored_in(&Scene::drive)},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed.", stored_in(&Scene::limits)},
+        {"", "tolerance", table, plain, any, {}, "none",
+         "How far a made cam may be from its drawing: every limit then holds for all cams within it.",
+         stored_in(&Scene::tolerance), Availability::needs_cam},
         {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found.", stored_in(&Scene::solver)},
     };
 }

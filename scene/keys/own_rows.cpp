@@ -14,7 +14,7 @@ const OwnRows& made_rows() {
         using namespace key_rows;
         OwnRows own{joined(of_motion(), of_measured(), of_search()), 0};
         own.before_cam = own.rows.size();
-        own.rows = joined(std::move(own.rows), other_tables(), of_loads(), of_limits());
+        own.rows = joined(std::move(own.rows), other_tables(), of_loads(), of_limits(), of_tolerance());
         return own;
     }();
     return made;

@@ -29,6 +29,9 @@ using Rows = std::vector<KeyRow>;
 [[nodiscard]] Rows other_tables();
 [[nodiscard]] Rows of_loads();   ///< [forces], [dynamics], [drive]
 [[nodiscard]] Rows of_limits();  ///< and of the solver
+[[nodiscard]] Rows of_tolerance();
+/// The row of [tolerance] for a dimension of the cam, whose own row this is; `meaning` outlives it.
+[[nodiscard]] KeyRow tolerance_of(const KeyRow& dimension, std::string_view meaning);
 
 /// One list after the other.
 template <class... Part>

@@ -9,6 +9,7 @@ from . import linear_rules
 from .rational import Fraction
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
+from .tolerance import MadeRules, Tolerances
 from .disk_rules import FACE_TURNS, LOADED, DiskRules, Side, TwoSides
 from .exact import (
     KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, times)
@@ -36,6 +37,7 @@ class Cam:
 
     def __init__(self, problem, scene, result):
         cam, self.problem, self.scene = scene["cam"], problem, scene
+        self.tolerances = Tolerances(problem, scene)
         self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
         self.direct = self.kind in ("disk", "linear")  # it touches the output itself
         self.judged, self.swings = self.direct, (self.follower or "").startswith("oscillating")
@@ -72,8 +74,20 @@ class Cam:
         self.width = self.width_of(cam, scene)
         self.pressure = self.pressure_limits()
         self.form = cam.get("form", "open")
+        self.given = given
         self.rules = self.rules_of(scene, given, Fraction(0))
         self.as_found = self.rules_of(scene, self.sizes, 4 * KEPT)
+
+    def made(self, corner, sizes, room):
+        """The rules of a cam with these numbers at a choice of the ends of its tolerances."""
+        if not self.direct:
+            raise Unverified(f"tolerances of a {self.kind} cam")
+        for name in ("forces.preload", "forces.spring_rate"):
+            if name in corner.numbers and name not in sizes:
+                sizes = sizes | {name: self.forces.preload if name.endswith("preload") else self.forces.rate}
+        searched = {name: size for name, size in sizes.items() if isinstance(size, tuple)}
+        moved = {name: size if name in searched else size + corner.numbers.get(name, Fraction(0)) for name, size in sizes.items()}
+        return MadeRules(self.rules_of(self.scene, moved, room), corner, searched)
 
     def be_other(self, scene, result, weights):
         """A cam of another kind: its limits are formulas of its own. Of dimensions in the objective, which are divided by the lift (of
@@ -268,7 +282,8 @@ class Cam:
             if laws + loaded and not self.keep_along_laws(key, laws + loaded):
                 missing.append(f"limits.{key} on segments with a law")
                 continue
-            keep(curve)
+            for drawn in self.every_made():
+                self.keeper_of(key)(curve) if drawn else keep(curve)
             kept.append("limits." + key)
         if self.width:
             most = self.width[0] * (1 + KEPT) * self.beta[0] / self.lift
@@ -277,6 +292,19 @@ class Cam:
                 raise Refuted(f"the contact leaves the face, {float(self.width[0])} m from the axis")
             kept.append("the width of the face")
         return kept, missing
+
+    def every_made(self):
+        """False for the cam of the drawing, then True for every choice of ends of its tolerances, which is what was found meanwhile."""
+        yield False
+        if not self.tolerances.given:
+            return
+        drawn = self.as_found
+        try:
+            for corner in self.tolerances.corners():
+                self.as_found = self.made(corner, self.sizes, 4 * KEPT)
+                yield True
+        finally:
+            self.as_found = drawn
 
     def keeper_of(self, key):
         """What looks at a limit along the delivered motion; None: nothing here does."""
@@ -334,11 +362,14 @@ class Cam:
         words = origin["rule"], origin.get("order"), origin.get("sign", 0), origin.get("remark", "")
         if self.rules is None:
             return []
+        remark, corner = self.tolerances.named(words[3])
+        rules = self.rules if corner is None else self.made(corner, self.given, Fraction(0))
+        words = (*words[:3], remark)
         if self.forces and not self.forces.is_constant():
             if self.form != "open":
                 raise Unverified("a load over the cam angle on a cam of two sides")
-            self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")))
-        return self.rules.formulas(*words, at) if not self.direct and self.rules.moves else self.rules.formulas(*words)
+            rules.load = constant(self.forces.load_at(at, origin.get("side", "right")))
+        return rules.formulas(*words, at) if not self.direct and rules.moves else rules.formulas(*words)
 
     def keep_pressure(self, curve, key):
         """Both sides along the motion, and at rest the least of all limits."""

@@ -3,7 +3,7 @@
 from .exact import ORDERS, Unverified
 
 KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "forces", "measured", "limits", "drawing",
-                "solver", "dynamics", "drive"}
+                "solver", "dynamics", "drive", "tolerance"}
 KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break", "peaks",
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset", "motor_torque",
                "motor_torque_rms", "deviation", "deviation_rms"}

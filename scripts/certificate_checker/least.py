@@ -116,6 +116,8 @@ def shrinks(scene, key, largest):
         return True
     loads_beside_contact = has_limit(scene, FORCES_BUT_CONTACT)
     contact = has_limit(scene, ("contact_force_min", "contact_moment_min"))
+    if key.startswith("tolerance."):  # what holds for all cams within the wider ones holds for those within the narrower ones
+        return largest
     if key.startswith("forces.preload"):  # F = m s'' w^2 + k s + preload + ... grows with it
         return not largest and not loads_beside_contact
     if key.startswith("forces.spring_rate"):  # likewise, where s >= 0

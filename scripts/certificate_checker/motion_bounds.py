@@ -5,6 +5,7 @@ from . import enclosures
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
 from .laws import constant, jumps, mean_of, parts_along, turns_back
 from .rational import Fraction
+from .tolerance import Tolerances
 
 TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
 SIDES = {"min": -1, "max": 1}
@@ -47,6 +48,9 @@ def motion_bounds(problem):
             for side, value in corridor[key].items() if key else ():
                 all_bounds.append(MotionBound(f"motion.corridor[{i}].{key}.{side}", order, SIDES[side], number(value) * unit,
                                               begin, min(end, whole[1])))
+    errors = [*Tolerances(problem, problem.scene).motion, Fraction(0)]
+    for bound in all_bounds:
+        bound.most -= errors[bound.order]
     return all_bounds
 
 

@@ -11,6 +11,7 @@ from .rational import Fraction
 from .runs import Peak, Run, Stretch
 from .spaces import Space
 from .strokes import points_at_limits, turning_points
+from .tolerance import Tolerances
 from .units import LENGTHS, angle_of, in_unit, ratio
 
 CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope that a last digit moves
@@ -588,7 +589,11 @@ class Problem:
             weight = number(self.objective.get(name, 0))
             key, cap = self.derivative_of(self.limits, name)
             cap = None if key is None or isinstance(self.limits[key], dict) else number(self.limits[key]) * cap
-            if cap is not None and self.type == "program" and key != name:
+            error = Tolerances(self, self.scene).motion[order] if cap is not None and order < 3 else Fraction(0)
+            if error and self.type == "program" and key == name:
+                raise Unverified(f"tolerances with the normalised limits.{key} of a program")
+            if cap is not None and (error or (self.type == "program" and key != name)):
+                cap -= error
                 self.motion_caps.append((order, cap, "limits." + key))
                 cap = None
             if weight or cap is not None:

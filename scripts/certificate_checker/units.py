@@ -29,6 +29,7 @@ SPELLINGS = {
                         ("damping_n_s_m", "damping", DAMPING), ("load_n", "load", FORCE | MOMENTS)] +
               [(f"{part}_modulus_gpa", f"{part}_modulus", MODULI) for part in ("cam", "follower")] +
               [("contact_width_m", "contact_width", LENGTHS), ("spring_frequency_hz", "spring_frequency", {"rad_s": 1 / (2 * PI_ITSELF)})],
+    "tolerance": [("spring_rate_n_m", "spring_rate", RATES), ("preload_n", "preload", FORCE | MOMENTS)],
     "dynamics": TRAIN + [("speed_range_rpm", "speed_range", {"rad_s": 30 / PI_ITSELF})],
 }
 KNOWN_KEYS = {table: {f"{name}_{unit}": (known, Fraction(size)) for known, name, units in rows for unit, size in units.items()}

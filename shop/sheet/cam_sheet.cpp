@@ -463,7 +463,25 @@ class CamSheetMaker {
             "α from the datum mark, {} as drawn. {}.",
             cam_.rotation() == Rotation::counterclockwise ? "clockwise" : "counterclockwise", radii_words));
         notes.push_back(fmt::format("Section through the {}.", drawing_.keyway ? "keyway" : "datum"));
+        if (std::string tolerance = profile_tolerance(); !tolerance.empty()) notes.push_back(tolerance);
         return notes;
+    }
+    /// "Profile: the follower's displacement within ±0.02 mm, its slope within ±0.005 mm/deg." Empty: none is
+    /// given.
+    [[nodiscard]] std::string profile_tolerance() const {
+        if (!solution_.scene.tolerance) return {};
+        const auto& [profile, slope, acceleration] = solution_.scene.tolerance->motion;
+        const bool turns = solution_.scene.motion.lift_is_angle;
+        const double unit = turns ? units::degree : metres_of(sheet_.lengths);
+        const char* const name = turns ? "deg" : name_of(sheet_.lengths);
+        std::string words;
+        if (profile)
+            append_item(words,
+                        fmt::format("the follower's displacement within ±{:.4g} {}", *profile / unit, name));
+        if (slope)
+            append_item(words,
+                        fmt::format("its slope within ±{:.4g} {}/deg", *slope / unit * units::degree, name));
+        return words.empty() ? words : fmt::format("Profile: {}.", words);
     }
     void add_furniture() {
         TitleBlock title = drawing_.title_block;

@@ -2,6 +2,7 @@
 #include "studies/delivered/driven_mechanism.hpp"
 
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/rules/made_cams.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
 namespace camopt {
@@ -47,6 +48,7 @@ std::vector<EnclosedLimit> enclosed_limits(const Scene& scene, const DrivenMecha
     for (const auto& rule : cam_limits(scene, variables)) {
         all.push_back(along(*rule, motion));
         if (!rule->at_every_station()) all.back().complete = false;
+        all.back().made = made_cam_of(*rule);
     }
     return all;
 }

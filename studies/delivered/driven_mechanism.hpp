@@ -27,6 +27,8 @@ struct EnclosedLimit {
     double at = 0.0;     ///< x
     /// No larger one hides between points: enclosed by interval arithmetic, at every station there is.
     bool complete = false;
+    std::string made =
+        {};  ///< of a rule for one cam within tolerances: which (objectives/rules/made_cams.hpp)
 };
 
 /// Of every rule of the scene's limits on its cam, whose formulas and numbers are `cam`.

@@ -46,6 +46,7 @@ struct ResultRecord {
     std::vector<std::string> notes;
     std::string machine;
     std::optional<LeastReport> least;
+    std::optional<ToleranceReport> tolerance;
 };
 
 }  // namespace camopt

@@ -196,7 +196,7 @@ double limit_scale(const Scene& scene, const CamReport* cam, const ConstraintRep
 }
 
 double limit_excess(const ConstraintReport& report) {
-    return is_least_limit(report.name) ? report.limit - report.worst : report.worst - report.limit;
+    return is_least_limit(report.name) ? report.limit - report.held() : report.held() - report.limit;
 }
 
 bool is_nowhere(const ConstraintReport& report) {

@@ -25,6 +25,11 @@ struct ConstraintReport {
     std::string side = {};    ///< where it is worst: "outer flank"; empty: the cam has one side
     std::string speed = {};   ///< at which it is worst: "at 0 rpm"; empty: that of the scene
     double scale = 0.0;       ///< of the quantity, in the unit; 0: known from the limit and its row
+    /// With tolerances: its worst value over all cams within them; `worst` is that of the drawing.
+    std::optional<double> made = {};
+
+    /// What the limit is held against.
+    [[nodiscard]] double held() const { return made.value_or(worst); }
 };
 
 /// A term of the objective beside the peaks, mostly one that the program brought: weight · value / reference
@@ -245,6 +250,26 @@ struct LeastReport {
     std::shared_ptr<const Solution> proof = {};  ///< the scene with `impossible`; null in a result read back
 };
 
+/// What tolerances cost, and which of them (studies/tolerance/tolerance_study.hpp). Keys:
+/// "tolerance.profile".
+struct ToleranceReport {
+    struct Decides {
+        std::string limit, tolerance;  ///< of this limit's loss the largest part
+        friend bool operator==(const Decides&, const Decides&) = default;
+    };
+    struct Halved {
+        std::string tolerance;
+        double gain = 0.0;  ///< relative, of the objective
+        friend bool operator==(const Halved&, const Halved&) = default;
+    };
+    std::optional<double> price;  ///< relative loss against the scene without tolerances
+    std::vector<Decides> decides;
+    std::vector<Halved> halved;         ///< the objective with half of one of them
+    std::optional<int> segments_worth;  ///< the least number beyond which more gain less than the price
+    std::vector<std::string> open;      ///< what time did not suffice for, in words
+    friend bool operator==(const ToleranceReport&, const ToleranceReport&) = default;
+};
+
 struct LimitCurve {  ///< the lower bound for every curve (motions/bounds/any_curve_limit.hpp)
     double objective = 0.0;
     std::optional<double> velocity, acceleration, jerk;  ///< none: not attained (infinite)
@@ -302,7 +327,8 @@ struct Solution {
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
     std::optional<MeasuredReport> measured;
-    std::optional<LeastReport> least;  ///< where the scene seeks a number
+    std::optional<LeastReport> least;          ///< where the scene seeks a number
+    std::optional<ToleranceReport> tolerance;  ///< where the scene has tolerances and there is a motion
     std::vector<OwnTermReport> own_terms;
     std::optional<TrainReport> train;   ///< where the scene has dynamics and there is a motion
     std::optional<DriveFigures> drive;  ///< where the scene has a motor and there is a motion

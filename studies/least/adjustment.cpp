@@ -269,6 +269,37 @@ void add_forces(std::vector<Adjustment>& all, const Scene& scene) {
     add_contact_width(all, scene);
 }
 
+/// Tighter, down to none at all.
+void add_tolerance(std::vector<Adjustment>& all, const Scene& scene, const std::string& name,
+                   const Spelling& otherwise, double size,
+                   const std::function<void(ToleranceSpec&, double size)>& set) {
+    const Spelling spelling = scene.spelling_of("tolerance." + name, otherwise);
+    const double unit = spelling.factor, given = as_written(size / unit);
+    all.push_back(number_adjustment(
+        fmt::format("tolerance.{}{}", name, spelling.suffix), given, given, Range::between(0.0, given),
+        [set, unit](Scene& changed, double value) { set(*changed.tolerance, value * unit); }));
+}
+
+void add_tolerances(std::vector<Adjustment>& all, const Scene& scene) {
+    using namespace spellings;
+    const std::array<Spelling, 3> of_motion = {profile_error[0], slope_error[0], acceleration_error[0]};
+    for (std::size_t order = 0; order < of_motion.size(); ++order)
+        if (const auto& size = scene.tolerance->motion[order])
+            add_tolerance(all, scene, motion_tolerance_names[order], of_motion[order], *size,
+                          [order](ToleranceSpec& own, double to) { own.motion[order] = to; });
+    for (const auto& [name, tolerance] : scene.tolerance->numbers) {
+        const int own = scene.cam->written_as(name);
+        const Spelling* const of_dimension =
+            own < 0 ? nullptr : unit_of_key(scene.cam->dimensions[static_cast<std::size_t>(own)].value.key);
+        const Spelling si = of_dimension != nullptr ? *of_dimension
+                            : name == "preload"     ? unit_named<"N">
+                                                    : unit_named<"N/mm">;
+        add_tolerance(all, scene, name + (tolerance.percent ? "_percent" : ""),
+                      tolerance.percent ? unit_named<""> : si, tolerance.size,
+                      [name = name](ToleranceSpec& own, double to) { own.numbers.at(name).size = to; });
+    }
+}
+
 bool goes_by_time(const Scene& scene) {
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits); limit && limit->in_time()) return true;
@@ -327,6 +358,7 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
     add_forces(all, scene);
     add_speed(all, scene);
     if (!scene.cam) return all;
+    if (scene.tolerance) add_tolerances(all, scene);
     add_dimensions(all, *scene.cam);
     add_face(all, scene);
     return all;

@@ -83,6 +83,7 @@ std::optional<Tightens> tightening_of(const Scene& scene, std::string_view key) 
         return Tightens::downward;
     if ((is("motion.speed") || is("motion.engine_speed")) && only_tightens_with_speed(scene))
         return Tightens::upward;
+    if (is("tolerance.")) return Tightens::upward;
     const Dimension* const travel = scene.cam ? scene.cam->find("travel") : nullptr;
     const bool grows = is("cam.base_radius") || (is("cam.travel") && travel != nullptr && travel->low > 0.0);
     if (scene.cam && grows && loosens_with_size(scene)) return Tightens::downward;

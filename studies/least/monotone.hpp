@@ -17,7 +17,8 @@ enum class Tightens { downward, upward };
 ///     the radius of the cam on a flat face grows with it;
 ///   * preload and spring rate, where the contact force is the only limit on loads and the follower never is
 ///     below s = 0: F grows with both;
-///   * the speed (only_tightens_with_speed).
+///   * the speed (only_tightens_with_speed);
+///   * tolerances: what holds for every cam within the wider ones holds for those within the narrower ones.
 /// None: not known. key: as written, "cam.base_radius_mm".
 [[nodiscard]] std::optional<Tightens> tightening_of(const Scene& scene, std::string_view key);
 

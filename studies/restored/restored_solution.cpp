@@ -92,6 +92,7 @@ void tell_of_run(Solution& solution, const ResultRecord& record) {
     solution.notes = record.notes;
     solution.machine = record.machine;
     solution.least = record.least;
+    solution.tolerance = record.tolerance;
     if (record.any_curve_limit) {
         // The file has its objective; its peaks are what the scene gives.
         solution.any_curve_limit =

@@ -4,6 +4,7 @@
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/explain.hpp"
 #include "studies/least/least_value.hpp"
+#include "studies/tolerance/tolerance_study.hpp"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ Solution solve(const Scene& scene, const SolveControl& control) {
             "the time (solver.max_seconds = {:g}) ran out before every change was searched: what is "
             "not named may also suffice",
             scene.solver.max_seconds));
+    if (scene.tolerance) report_tolerance(solution, timed);
     note_phase(solution);
     solution.seconds_total = watch.seconds();
     return solution;

@@ -21,6 +21,7 @@ EXPECTED = {
     "cam_laws_and_splines": ("optimal", ""),
     "cam_roller": ("optimal", "limits.pressure_angle_deg"),
     "cam_smallest": ("optimal", "limits.pressure_angle_deg"),
+    "cam_tolerances": ("optimal", "limits.pressure_angle_deg"),
     "cam_undercut": ("optimal", "limits.cam_radius_min_mm"),
     "linear_arm": ("optimal", "limits.pressure_angle_deg"),
     "linear_knife": ("optimal", "limits.concave_radius_min_mm"),

@@ -119,7 +119,9 @@ std::map<std::string, Get> plain_members() {
         FIELD(solver.explain_changes), FIELD(solver.explain_seconds), FIELD(solver.gap), FIELD(solver.max_seconds),
         FIELD(solver.name), FIELD(solver.options), FIELD(solver.seed), FIELD(solver.starts), FIELD(solver.tolerance),
         FIELD_AS("spline.breakpoints", spline.breakpoints.at(1)), FIELD_AS("spline.continuity", spline.smoothness()),
-        FIELD(spline.degree), FIELD(spline.design), FIELD(spline.end_jerk), FIELD(spline.free_knots), FIELD(spline.segments)};
+        FIELD(spline.degree), FIELD(spline.design), FIELD(spline.end_jerk), FIELD(spline.free_knots), FIELD(spline.segments),
+        FIELD_AS("tolerance.profile", tolerance->motion.at(0)), FIELD_AS("tolerance.slope", tolerance->motion.at(1)),
+        FIELD_AS("tolerance.acceleration", tolerance->motion.at(2))};
     std::map<std::string, Get> members;
     for (auto [name, get] : written) {
         for (std::size_t at = name.find("->"); at != std::string::npos; at = name.find("->"))
@@ -159,12 +161,26 @@ void add_set_points(std::map<std::string, Get>& members) {
         };
 }
 
+/// Of a dimension or a number of the spring, perhaps in percent.
+void add_tolerances(std::map<std::string, Get>& members) {
+    for (const KeyRow& row : scene_keys()) {
+        if (row.table != "tolerance" || members.contains("tolerance." + std::string(row.name))) continue;
+        std::string name(row.name);
+        if (const std::size_t percent = name.find("_percent"); percent != std::string::npos)
+            name.resize(percent);
+        members["tolerance." + std::string(row.name)] = [name](const Scene& s) {
+            return s.tolerance->numbers.at(name).size;
+        };
+    }
+}
+
 /// What the scene holds under the name. Of a cam its words and its dimensions: the lower bound, "… max" the
 /// upper one, "… unit" the unit.
 Value member_of(const Scene& scene, std::string name) {
     static const std::map<std::string, Get> members = [] {
         std::map<std::string, Get> all = plain_members();
         add_set_points(all);
+        add_tolerances(all);
         for (int i = 0; i < dimension_count; ++i)
             all[std::string("objective.") + name_of(static_cast<DimensionIndex>(i))] = [i](const Scene& s) {
                 return s.objective.dimensions.at(static_cast<std::size_t>(i));

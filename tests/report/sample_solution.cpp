@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "studies/delivered/solution_report.hpp"
+#include "studies/delivered/cam_report.hpp"
 
 #include <memory>
 #include <numbers>

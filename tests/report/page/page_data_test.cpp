@@ -7,9 +7,9 @@
 #include "report/csv/motion_csv.hpp"
 #include "report/page/result_page.hpp"
 #include "report/view/shown_units.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
-#include "studies/delivered/solution_report.hpp"
 #include "tests/report/sample_solution.hpp"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 // and what is reported of a cam that cannot be touched is not a number. Pressure angles where the follower
 // rests.
 #include "profiles/disk/disk_cam.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/delivered/solution_report.hpp"
 #include "studies/least/adjustment.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "tests/studies/independent_cam.hpp"

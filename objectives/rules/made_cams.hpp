@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The limits of a scene with tolerances (scene/tolerance_spec.hpp) for every cam within them.
+//
+//   g(s + δ, s' + δ', s'' + δ''; d + Δ) <= 0   for all |δ^{(r)}| <= ε_r, |Δ_k| <= the tolerance of d_k
+//
+// A limit is held at the ends of these intervals, by one rule for each choice of ends. Of rules that are
+// linear in s, s', s'' and differ by a constant the worst is left: the right side of such a limit loses
+// Σ |w_r| ε_r, and of a number that only moves it (offset and prime radius of a translating roller) its worse
+// end. A rule that does not depend on an error is held once.
+//
+// That is enough where a limit is linear, monotone or convex in each of the errors. Where the worst case lies
+// between the ends (its slope by an error changes sign within the tolerance, and it is concave there) it
+// exceeds them by at most half the second partial times the square of the tolerance.
+#pragma once
+
+#include "objectives/rules/cam_rule.hpp"
+
+namespace camopt {
+
+/// Of the scene and the cam of each choice of ends: numbers are moved, CamVariables::motion_error is set.
+using MadeCamVisit = std::function<void(const Scene& scene, const CamVariables& made)>;
+
+/// Every choice of ends, the one with every number at its upper end first.
+void visit_made_cams(const Scene& scene, const CamVariables& variables, const MadeCamVisit& visit);
+
+/// CamVariables::made of the cam that a rule belongs to; empty: the one that is drawn.
+[[nodiscard]] std::string made_cam_of(const CamRule& rule);
+
+/// `one`: the limits of one cam, always the same rules in the same order. Their remarks say which cam they
+/// belong to: "made s+ s'-, base_radius-".
+[[nodiscard]] std::vector<std::shared_ptr<const CamRule>> limits_of_made_cams(
+    const Scene& scene, const CamVariables& variables,
+    const std::function<std::vector<std::shared_ptr<const CamRule>>(const Scene&, const CamVariables&)>& one);
+
+}  // namespace camopt

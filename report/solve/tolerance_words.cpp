@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "report/solve/tolerance_words.hpp"
+
+#include "core/text/list_text.hpp"
+#include "core/text/quantity_text.hpp"
+#include "report/view/key_words.hpp"
+#include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+constexpr double least_named = 5e-6;  // of the objective: less is practically nothing
+
+std::string percent(double part) {
+    return fmt::format("{:.3g} %", 100.0 * part);
+}
+
+/// "the profile error", "the tolerance of the base radius"
+std::string words_of_tolerance(const std::string& key) {
+    return "the " + key_words(key).words;
+}
+
+std::string price_sentence(const Solution& solution) {
+    const double price = *solution.tolerance->price;
+    const bool proved = solution.certificate.verdict == Verdict::optimal;
+    const std::string doubt =
+        proved ? ""
+               : " Neither objective is proved to be the best, so that the price is one of two searches.";
+    if (price < least_named)
+        return fmt::format(
+            "The tolerances cost practically nothing: without them the objective would be no "
+            "better by more than {}.{}",
+            percent(std::max(price, least_named)), doubt);
+    return fmt::format(
+        "The tolerances cost {} of the objective: without them it would be {:.7g} instead of {:.7g}.{}",
+        percent(price), solution.certificate.objective / (1.0 + price), solution.certificate.objective,
+        doubt);
+}
+
+std::vector<std::string> deciding_sentences(const ToleranceReport& report) {
+    std::vector<std::string> all;
+    for (const auto& [limit, tolerance] : report.decides) {
+        const KeyWords words = key_words(limit);
+        all.push_back(fmt::format("Of the {}{} {} takes the largest part.", words.words,
+                                  words.limit ? " limit" : "", words_of_tolerance(tolerance)));
+    }
+    return all;
+}
+
+std::string halved_sentence(const ToleranceReport& report) {
+    std::vector<std::string> parts;
+    for (const auto& [tolerance, gain] : report.halved)
+        parts.push_back(fmt::format("of {} {}", words_of_tolerance(tolerance),
+                                    gain < least_named ? "practically nothing" : percent(gain)));
+    if (parts.empty()) return {};
+    return fmt::format("Half would bring: {}.", listed(parts, ", "));
+}
+
+std::string segments_sentence(const Solution& solution) {
+    const int worth = *solution.tolerance->segments_worth, own = segments_of(solution.scene.spline);
+    if (worth == own)
+        return fmt::format(
+            "All {} segments are worth making: with fewer more would be lost than the "
+            "tolerances cost.",
+            own);
+    return fmt::format(
+        "{} segments are worth making: up to the {} of this scene more gain less than the "
+        "tolerances cost.",
+        worth, own);
+}
+
+/// Limits that the error of s'' would move, if it were bounded.
+std::string left_out_sentence(const Scene& scene) {
+    if (scene.tolerance->motion[2]) return {};
+    std::vector<std::string> names;
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (row.order() == 2 && row.in(scene.limits)) names.emplace_back("acceleration");
+    for (const LimitedFigure figure :
+         {LimitedFigure::convex_radius, LimitedFigure::concave_radius, LimitedFigure::regularity,
+          LimitedFigure::contact_force, LimitedFigure::contact_force_most, LimitedFigure::torque,
+          LimitedFigure::hertz_pressure})
+        if (const auto& limit = limit_on(scene.limits, figure)) names.push_back(key_words(limit->key).words);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    if (names.empty()) return {};
+    return fmt::format(
+        "The error of the second derivative is not bounded (tolerance.acceleration): the limit{} on {} "
+        "leave{} it out.",
+        names.size() > 1 ? "s" : "", listed(names, " and "), names.size() > 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::vector<std::string> tolerance_sentences(const Solution& solution) {
+    if (!solution.tolerance) return {};
+    const ToleranceReport& report = *solution.tolerance;
+    std::vector<std::string> all = {
+        "Every limit holds for all cams within the tolerances: of each the worst is the one that is given as "
+        "made."};
+    const auto add = [&](std::string sentence) {
+        if (!sentence.empty()) all.push_back(std::move(sentence));
+    };
+    if (report.price) add(price_sentence(solution));
+    for (std::string& one : deciding_sentences(report)) add(std::move(one));
+    add(halved_sentence(report));
+    if (report.segments_worth) add(segments_sentence(solution));
+    add(left_out_sentence(solution.scene));
+    if (!report.open.empty())
+        add(fmt::format("Not computed in the time there was: {}.", listed(report.open, " and ")));
+    return all;
+}
+
+}  // namespace camopt

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: MIT
+"""Tolerances: every limit holds for all cams within them.
+
+A made cam moves its follower by y + e_0 with slopes y' + e_1, y'' + e_2, |e_r| <= E_r in lifts by x^r, and its numbers lie within half a
+width of those of the scene. A row at any choice of ends is a row of the scene, since the scene demands all of them; the delivered motion
+is held against every choice of ends."""
+import itertools
+import re
+
+from .dimensions import largest_of
+from .exact import Unverified, number
+from .laws import constant
+from .rational import Fraction
+from .units import LENGTHS, dimension_of, in_unit
+
+NAMES = "profile", "slope", "acceleration"
+MARKS = "s", "s'", "s''"
+SMALL = {"um": Fraction(1, 10**6), "mdeg": Fraction(1, 1000)}
+
+
+class Corner:
+    """One choice of ends. motion: errors of y, y', y''; numbers: {name: error in m, N, …}."""
+
+    def __init__(self, motion, numbers):
+        self.motion, self.numbers = motion, numbers
+
+
+class Tolerances:
+    def __init__(self, problem, scene):
+        table = scene.get("tolerance", {})
+        self.given = bool(table)
+        self.motion = [self.error(problem, table, order) for order in range(3)] if table else [Fraction(0)] * 3
+        self.numbers = {}
+        cam, forces = scene.get("cam", {}), scene.get("forces", {})
+        for key in table:
+            if key.startswith(NAMES):
+                continue
+            name = key.removesuffix("_percent") if key.endswith("_percent") else re.sub(r"_(mm|in|m|n|n_m)$", "", key)
+            if name in ("preload", "spring_rate"):
+                own, size = self.of_spring(name, key, table, forces)
+            elif key == f"{name}_deg" or key == f"{name}_rad":
+                raise Unverified(f"tolerance.{key}")
+            else:
+                own, size = name, dimension_of(table, name)
+                if name != "offset" and not any(own_key.startswith(name + "_") for own_key in cam):
+                    raise Unverified(f"tolerance.{key} of a number at its default")
+            self.numbers[own] = size
+
+    @staticmethod
+    def of_spring(name, key, table, forces):
+        unit = {"preload": "n", "spring_rate": "n_m"}[name]
+        given = forces.get(f"{name}_{unit}")
+        if given is None or not (key.endswith("_percent") or key == f"{name}_{unit}"):
+            raise Unverified(f"tolerance.{key}")
+        most = largest_of((number(given["min"]), number(given["max"]))) if isinstance(given, dict) else abs(number(given))
+        return "forces." + name, number(table[key]) * (most / 100 if key.endswith("_percent") else 1)
+
+    @staticmethod
+    def error(problem, table, order):
+        """In lifts by x^order."""
+        key = next((key for key in table if key.startswith(NAMES[order] + "_")), None)
+        if key is None:
+            return Fraction(0)
+        first, *angle = key.removeprefix(NAMES[order] + "_").split("_")
+        value = number(table[key])
+        if first in LENGTHS or first == "um":
+            value *= SMALL.get(first) or LENGTHS[first]
+        else:
+            value = in_unit((value * SMALL.get(first, 1), "deg" if first == "mdeg" else first), problem.lift[1])
+        if order:
+            value *= in_unit(problem.unit_angle, angle[0].rstrip("23"))**order
+        return value / problem.lift[0]
+
+    def corners(self):
+        """Every choice of ends."""
+        signs = [(1, -1) if error else (1,) for error in self.motion] + [(1, -1)] * len(self.numbers)
+        for ends in itertools.product(*signs):
+            yield Corner([sign * error for sign, error in zip(ends, self.motion)],
+                         {name: sign * size for sign, (name, size) in zip(ends[3:], self.numbers.items())})
+
+    def named(self, remark):
+        """(the remark without it, the corner) of "outer flank, made s+ s'-, base_radius-"."""
+        start = remark.find("made ")
+        if start < 0:
+            return remark, None
+        motion, numbers = [Fraction(0)] * 3, {}
+        for word in re.split(r",? ", remark[start + len("made "):]):
+            name, sign = word[:-1], 1 if word[-1] == "+" else -1
+            if name in MARKS:
+                motion[MARKS.index(name)] = sign * self.motion[MARKS.index(name)]
+            else:
+                own = name if name in self.numbers else "forces." + name
+                numbers[own] = sign * self.numbers[own]
+        return remark[:start].removesuffix(", "), Corner(motion, numbers)
+
+
+class MadeRules:
+    """The rules of a cam at one choice of ends. `rules`: of the cam with its fixed numbers moved; those that are searched move here."""
+
+    def __init__(self, rules, corner, searched):
+        self.rules, self.corner = rules, corner
+        self.searched_errors = [corner.numbers.get(name, Fraction(0)) / largest_of(ends) for name, ends in searched.items()]
+
+    def __getattr__(self, name):
+        return getattr(self.rules, name)
+
+    def moved(self, formula):
+        errors = self.corner.motion + [Fraction(0)] + self.searched_errors
+
+        def rule(numbers, *more):
+            return formula([n if not e else n + constant(e) for n, e in
+                            itertools.zip_longest(numbers, errors[:len(numbers)], fillvalue=Fraction(0))], *more)
+        return rule
+
+    def formulas(self, *words):
+        return [self.moved(f) for f in self.rules.formulas(*words)]
+
+    def pressures(self, limit, sign):
+        return [self.moved(f) for f in self.rules.pressures(limit, sign)]
+
+    def kept(self, key):
+        formulas, more = self.rules.kept(key)
+        return [self.moved(f) for f in formulas], more
+
+    def bear(self, load):
+        self.rules.load = load
+
+    load = property(None, bear)

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "studies/delivered/made_limits.hpp"
+
+#include "objectives/rules/made_cams.hpp"
+#include "scene/limit_table.hpp"
+#include "studies/delivered/cam_report.hpp"
+#include "studies/delivered/scene_limits.hpp"
+
+#include <map>
+#include <set>
+
+namespace camopt {
+
+namespace {
+
+/// The motion of a made cam at its worst: every derivative is off by its error, everywhere.
+class MadeMotion final : public Motion {
+ public:
+    /// errors: of y, y', y'', in lifts and units of x.
+    MadeMotion(const Motion& drawn, const std::array<double, 3>& errors) : drawn_(drawn), errors_(errors) {}
+
+    [[nodiscard]] double begin() const override { return drawn_.begin(); }
+    [[nodiscard]] double end() const override { return drawn_.end(); }
+    [[nodiscard]] std::vector<double> breakpoints() const override { return drawn_.breakpoints(); }
+    [[nodiscard]] MotionPoint at(double x, Side side) const override {
+        MotionPoint point = drawn_.at(x, side);
+        for (std::size_t order = 0; order < errors_.size(); ++order)
+            point.derivative[order] += errors_[order];
+        return point;
+    }
+
+ private:
+    const Motion& drawn_;
+    std::array<double, 3> errors_;
+};
+
+std::array<double, 3> normalised(const std::array<double, 3>& errors, const MotionScale& scale) {
+    std::array<double, 3> own{};
+    for (std::size_t order = 0; order < own.size(); ++order)
+        own[order] = errors[order] * std::pow(scale.unit_angle, static_cast<double>(order)) / scale.lift;
+    return own;
+}
+
+void keep_worse(std::vector<ConstraintReport>& all, ConstraintReport one) {
+    const auto same = std::ranges::find(all, one.key, &ConstraintReport::key);
+    if (same == all.end())
+        all.push_back(std::move(one));
+    else if (limit_excess(one) > limit_excess(*same))
+        *same = std::move(one);
+}
+
+/// What the error of a derivative adds to the peak that a limit holds, in its unit.
+double error_of(const Scene& scene, const PeakLimitRow& row) {
+    const PeakLimit& limit = *row.in(scene.limits);
+    return scene.motion_error(row.order()) * limit.unit_per_normalised();
+}
+
+/// The cams that are the worst of some limit.
+std::set<std::string> worst_cams(const Solution& solution, const Scene& scene) {
+    std::map<std::string, EnclosedLimit> worst;
+    for (EnclosedLimit& one : enclosed_limits(scene, solution.cam->cam, *solution.motion)) {
+        const auto [own, first] = worst.try_emplace(one.key, one);
+        if (!first && one.worst > own->second.worst) own->second = std::move(one);
+    }
+    std::set<std::string> cams;
+    for (const auto& entry : worst) cams.insert(entry.second.made);
+    return cams;
+}
+
+}  // namespace
+
+std::vector<ConstraintReport> made_constraints(const Solution& solution, const Scene& scene) {
+    const std::set<std::string> cams = worst_cams(solution, scene);
+    CamVariables drawn;
+    drawn.cam = solution.cam.value().cam;
+    drawn.scale = {scene.motion.lift, scene.motion.unit_angle()};
+    std::vector<ConstraintReport> all;
+    visit_made_cams(scene, drawn, [&](const Scene& own, const CamVariables& made) {
+        if (!cams.contains(made.made)) return;
+        const MadeMotion motion(*solution.motion, normalised(made.motion_error, made.scale));
+        CamReport report;
+        report.cam = made.cam;
+        report.summary = cam_summary(report.cam, motion, own);
+        for (ConstraintReport& one : cam_constraints(own, report)) keep_worse(all, std::move(one));
+    });
+    return all;
+}
+
+void hold_for_made_cams(Solution& solution) {
+    const Scene& scene = solution.scene;
+    for (const PeakLimitRow& row : peak_limit_rows())
+        for (ConstraintReport& own : solution.constraints)
+            if (row.in(scene.limits) && own.key == row.in(scene.limits)->key)
+                own.made = own.worst + (row.side < 0 ? -1.0 : 1.0) * error_of(scene, row);
+    if (!solution.cam) return;
+    for (const ConstraintReport& made : made_constraints(solution, scene))
+        for (ConstraintReport& own : solution.constraints)
+            if (own.key == made.key) own.made = made.worst;
+}
+
+}  // namespace camopt
