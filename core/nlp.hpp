@@ -44,8 +44,14 @@ struct RowKind {
     /// A hard limit of the user's scene (a cap, a pressure angle). Only these rows may make a problem
     /// infeasible; the elastic problem relaxes them in proportion to `scale`.
     bool limit = false;
-    double scale = 1.0;  ///< size of the limit, > 0: a violation of `scale` is one of 100 %
+    double scale = 1.0;     ///< size of the limit, > 0: a violation of `scale` is one of 100 %
+    double rounding = 0.0;  ///< of its value, at points of the usual size: proofs relax its sides by this
 };
+
+/// Multipliers prove a contradiction (0 >= excess, that is no feasible point) where the excess of rows of
+/// size 1, relative to the sum of their multipliers, is above this. Below it round-off of the rows' own
+/// numbers decides.
+inline constexpr double least_contradiction = 1e-11;
 
 struct NlpShape {
     Eigen::VectorXd x_lower, x_upper;  ///< size variables

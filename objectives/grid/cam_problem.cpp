@@ -169,7 +169,8 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
             // Undefined (an arm that cannot reach) counts as an infinite violation.
             const double scale = rule->scale_at(maximum.at);
             if (scale == 0.0) continue;
-            const double amount = std::isfinite(maximum.value) ? maximum.value / scale : infinity;
+            const double value = maximum.value - rule->rounding();
+            const double amount = std::isfinite(value) ? value / scale : infinity;
             if (amount > -slack) found.push_back({r, maximum, amount, rule->limit()});
         }
     }

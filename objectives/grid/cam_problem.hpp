@@ -77,6 +77,7 @@ class GridNlp final : public Nlp {
     void add_sample_row(int sample);
     [[nodiscard]] const RuleValue& affine_rule(const RuleSample& place);
     [[nodiscard]] AffineRow linear_rule_row(const RuleSample& place, const RuleValue& affine) const;
+    [[nodiscard]] double unit_of(const RuleSample& place) const;
     void add_linear_row(int sample);
     void add_curved_row(int sample);
     void add_energy_row(int sample);

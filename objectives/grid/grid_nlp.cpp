@@ -120,7 +120,8 @@ void GridNlp::add_sample_rows(int first) {
         const PointRule& rule = *model.rules[samples_[k].rule];
         shape_.convex = shape_.convex && rule.curvature(model.least_displacement, model.most_displacement) !=
                                              Curvature::general;
-        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale()});
+        const double unit = rule.linear() && !rule.whole() ? unit_of(samples_[k]) : 1.0;
+        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale(), unit * rule.rounding()});
     }
     shape_.g_lower.conservativeResize(rows);
     shape_.g_upper.conservativeResize(rows);
@@ -181,6 +182,12 @@ AffineRow GridNlp::linear_rule_row(const RuleSample& place, const RuleValue& aff
                     rule.datum == PlacedRule::Datum::begin ? stretch.from : stretch.to);
 }
 
+/// Rows are scaled by the weight of their violations: a backend has one tolerance.
+double GridNlp::unit_of(const RuleSample& place) const {
+    const PointRule& rule = *model_->rules[place.rule];
+    return rule.scale() / rule.scale_at(place.at);
+}
+
 void GridNlp::add_linear_row(int sample) {
     const RuleSample& place = samples_[sample];
     const PointRule& rule = *model_->rules[place.rule];
@@ -188,8 +195,7 @@ void GridNlp::add_linear_row(int sample) {
     const RuleValue* const affine = whole ? nullptr : &affine_rule(place);
     const AffineRow sum = whole ? whole->row(model_->design, place.at, place.side, place.setting)
                                 : linear_rule_row(place, *affine);
-    // Rows are scaled by the weight of their violations: a backend has one tolerance.
-    const double unit = whole ? 1.0 : rule.scale() / rule.scale_at(place.at);
+    const double unit = whole ? 1.0 : unit_of(place);
     Row row;
     row.offset = unit * sum.offset;
     const std::size_t entries = sum.columns.size() + rule.parameters().size();

@@ -27,6 +27,14 @@ double LinearRule::scale_at(double x) const {
     return scale > at_the_end ? scale : 0.0;
 }
 
+double LinearRule::rounding() const {
+    if (bound_.contact == 0) return 0.0;
+    // Of a polynomial by powers of the distance from its left breakpoint.
+    constexpr double of_polynomial = 8.0 * std::numeric_limits<double>::epsilon();
+    const double size = bound_.order == 0 ? std::max(1.0, std::abs(bound_.bound)) / bound_.scale : 1.0;
+    return of_polynomial * size;
+}
+
 RuleValue LinearRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     const Eigen::Index variables = bound_.peak < 0 ? 4 : 5;
     RuleValue rule{0.0, Eigen::VectorXd::Zero(variables), Eigen::MatrixXd::Zero(variables, variables)};

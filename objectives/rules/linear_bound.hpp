@@ -53,6 +53,7 @@ class LinearRule final : public PointRule {
     explicit LinearRule(const LinearBound& bound);
 
     [[nodiscard]] double scale_at(double x) const override;
+    [[nodiscard]] double rounding() const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:

@@ -70,6 +70,8 @@ class PointRule {
     [[nodiscard]] virtual SlopeRange slope_range() const { return {}; }
     /// Its scale at one location; 0 where conditions of the motion make the rule active.
     [[nodiscard]] virtual double scale_at(double /*x*/) const { return scale(); }
+    /// Round-off of its value, of a rule whose scale at some locations is far below scale().
+    [[nodiscard]] virtual double rounding() const { return 0.0; }
     /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:
     /// the rule as a polynomial of it, whose maxima are then exact. Nullopt if it is not one; optional for
     /// linear rules.

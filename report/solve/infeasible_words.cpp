@@ -35,7 +35,9 @@ struct OneLimit {
 std::vector<OneLimit> limits_of(const std::vector<ConflictReport>& conflict) {
     std::vector<OneLimit> limits;
     for (const ConflictReport& row : conflict) {
-        const std::string words = key_words(row.key, row.remark).words;
+        KeyWords key = key_words(row.key, row.remark);
+        key.limit = true;
+        const std::string words = key.subject();
         auto limit = std::ranges::find(limits, words, &OneLimit::words);
         if (limit == limits.end()) limit = limits.insert(limit, {words, 0.0, {}});
         limit->weight += row.weight;
@@ -72,7 +74,7 @@ std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
         return stretch_words(motion, is_place ? middle : stretch.begin, is_place ? middle : stretch.end,
                              short_angle_digits);
     });
-    return fmt::format("the {} limit{}{}", limit.words, places.empty() ? "" : " ", places);
+    return fmt::format("the {}{}{}", limit.words, places.empty() ? "" : " ", places);
 }
 
 /// The law that is the motion at x, from one given displacement to another; empty where a spline or a dwell

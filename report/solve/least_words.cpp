@@ -19,7 +19,7 @@ std::string because(const LeastReport& least) {
     std::vector<std::string> others;
     for (const std::string& key : least.limited_by) {
         const KeyWords words = key_words(key);
-        const std::string one = words.limit ? fmt::format("the {} limit", words.words) : words.words;
+        const std::string one = fmt::format("{}{}", words.limit ? "the " : "", words.subject());
         if (key != least.key && std::ranges::find(others, one) == others.end()) others.push_back(one);
     }
     if (others.empty()) return {};
@@ -48,9 +48,9 @@ std::string least_sentence(const Solution& solution) {
     if (!solution.least) return {};
     const LeastReport& least = *solution.least;
     const KeyWords words = key_words(least.key);
-    return fmt::format("The {} {}{} ({}) is {}: {}. The weights choose among the motions at it.",
-                       least.largest ? "largest" : "least", words.words, words.limit ? " limit" : "",
-                       least.key, number_of(least.value, words.unit), claim(least, words.unit));
+    return fmt::format("The {} {} ({}) is {}: {}. The weights choose among the motions at it.",
+                       least.largest ? "largest" : "least", words.subject(), least.key,
+                       number_of(least.value, words.unit), claim(least, words.unit));
 }
 
 }  // namespace camopt

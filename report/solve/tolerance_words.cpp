@@ -43,9 +43,8 @@ std::string price_sentence(const Solution& solution) {
 std::vector<std::string> deciding_sentences(const ToleranceReport& report) {
     std::vector<std::string> all;
     for (const auto& [limit, tolerance] : report.decides) {
-        const KeyWords words = key_words(limit);
-        all.push_back(fmt::format("Of the {}{} {} takes the largest part.", words.words,
-                                  words.limit ? " limit" : "", words_of_tolerance(tolerance)));
+        all.push_back(fmt::format("Of the {} {} takes the largest part.", key_words(limit).subject(),
+                                  words_of_tolerance(tolerance)));
     }
     return all;
 }

@@ -66,6 +66,12 @@ std::string tolerance_words(std::string_view key) {
 
 }  // namespace
 
+std::string KeyWords::subject() const {
+    if (!limit) return words;
+    const bool superlative = words.starts_with("largest ") || words.starts_with("least ");
+    return superlative ? fmt::format("limit on the {}", words) : fmt::format("{} limit", words);
+}
+
 KeyWords key_words(std::string_view key, std::string_view remark) {
     if (is_listed(key)) return listed_key_words(key);
     KeyWords found;
@@ -145,11 +151,10 @@ std::string change_words(const Relaxation& row) {
     const KeyWords key = edited_key(row.key);
     const std::string unit = key.unit.empty() ? "" : " " + key.unit;
     const bool listed = is_listed(row.key);
-    return fmt::format("{} the {}{} to {}{}{}", verb_of(row, key), key.words,
-                       key.limit ? " limit"
-                       : listed  ? fmt::format(" from {}", short_text(row.given, needed_digits))
-                                 : "",
-                       needed_number(row), unit, also_words(row));
+    return fmt::format(
+        "{} the {}{} to {}{}{}", verb_of(row, key), key.subject(),
+        listed && !key.limit ? fmt::format(" from {}", short_text(row.given, needed_digits)) : "",
+        needed_number(row), unit, also_words(row));
 }
 
 }  // namespace camopt

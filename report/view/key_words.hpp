@@ -10,6 +10,9 @@ struct KeyWords {
     std::string words;   ///< "pressure angle", "base radius", "cam radius"
     std::string unit;    ///< "deg", "mm/s", …; empty: dimensionless
     bool limit = false;  ///< of the table [limits]: it bounds something, it is not the thing itself
+
+    /// What is set: "base radius", "pressure angle limit", "limit on the largest contact force".
+    [[nodiscard]] std::string subject() const;
 };
 
 [[nodiscard]] KeyWords key_words(std::string_view key, std::string_view remark = {});

@@ -19,12 +19,14 @@ import tomllib
 from .exact import Refuted, Unverified, number
 from .linear_rules import sense_of
 from .rational import Fraction, parsed
+from .units import in_known_units
 
 KEYS = ("least", "largest", "least_gap")
 FORCES_BUT_CONTACT = ("contact_force_max", "contact_moment_max", "torque_max", "hertz_pressure_max", "residual", "dynamic_contact_force_min", "spring_harmonic")
 RADII = ("cam_radius_min", "concave_radius_min", "undercut_margin")
 NOT_NEGATIVE = ("forces.spring_rate",)  # keys whose values end at 0
 ABSENT = ("forces.preload", "forces.spring_rate")  # keys that are 0 where a scene does not give them
+IN_TIME = re.compile(r".*_s[23]?")
 SAME = Fraction(1, 10**12)
 
 
@@ -110,6 +112,34 @@ def never_below_zero(motion):
         not any(segment.get("via") for segment in segments) and not any(map(moves, states))
 
 
+def counts_in_time(part):
+    """A number of the motion by time: set points, corridors, states."""
+    if isinstance(part, dict):
+        return any(IN_TIME.fullmatch(name) and not name.startswith("speed") or counts_in_time(own) for name, own in part.items())
+    return isinstance(part, list) and any(map(counts_in_time, part))
+
+
+def held_at_rest(scene):
+    """Without damping F(sw) = F_0 + s^2 (F(w) - F_0) lies between the force F_0 at rest and F(w), s <= 1: where the spring alone holds
+    the follower at rest, at every s >= 0, a speed at which it stays on the cam has none below it at which it leaves."""
+    scene = in_known_units(scene)
+    forces, limits, load = scene["forces"], scene["limits"], scene["forces"].get("load_n", 0)
+    if any(name.startswith(("damping", "speed_range")) and (name.startswith("speed") or number(own)) for name, own in forces.items()):
+        return False
+    preload = forces.get("preload_n", 0)
+    least = number(preload["min"] if isinstance(preload, dict) else preload)
+    least += min(number(force) for _, force in load) if isinstance(load, list) else number(load)
+    return "contact_force_min_n" in limits and least >= number(limits["contact_force_min_n"]) and never_below_zero(scene["motion"])
+
+
+def slows_down(scene):
+    """A motion at a speed is one at every lower speed. Limits by time loosen; one of a single side has to allow rest."""
+    sided = [own for name, own in scene.get("limits", {}).items() if IN_TIME.fullmatch(name) and isinstance(own, dict)]
+    contact = has_limit(scene, ("contact_force_min", "contact_moment_min"))
+    return not has_limit(scene, FORCES_BUT_CONTACT + ("motor_",)) and not counts_in_time(scene["motion"]) and \
+        not any(own.get("min", 0) > 0 or own.get("max", 0) < 0 for own in sided) and (not contact or held_at_rest(scene))
+
+
 def shrinks(scene, key, largest):
     """Whether motions only disappear as the number goes on beyond the edge."""
     if key.startswith("limits."):
@@ -122,6 +152,8 @@ def shrinks(scene, key, largest):
         return not largest and not loads_beside_contact
     if key.startswith("forces.spring_rate"):  # likewise, where s >= 0
         return not largest and not loads_beside_contact and never_below_zero(scene["motion"])
+    if key.startswith("motion.speed"):
+        return largest and slows_down(scene)
     if key.startswith("cam.travel"):  # s' lies between bounds in proportion to the travel of a plate under a pushed follower
         pushed = scene["cam"].get("follower", "").startswith("translating_") and scene["cam"].get("type") == "linear"
         forwards = pushed and sense_of(scene["cam"]) > 0

@@ -132,8 +132,9 @@ DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
     for (Eigen::Index k = 0; k < rows; ++k) {
         const int i = kept[k];
         const double offset = values[i] - linear_part[i];
-        proof.lower[k] = shape.g_lower[i] - offset;
-        proof.upper[k] = shape.g_upper[i] - offset;
+        const double rounding = shape.rows[static_cast<std::size_t>(i)].rounding;
+        proof.lower[k] = shape.g_lower[i] - offset - rounding;
+        proof.upper[k] = shape.g_upper[i] - offset + rounding;
         proof.matrix.startVec(k);
         for (SparseRows::InnerIterator entry(jacobian, i); entry; ++entry)
             proof.matrix.insertBack(k, entry.col()) = entry.value();

@@ -176,7 +176,7 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Solv
     if (found.point.violation > options.tolerance && on_final_grid && elastic.convex(result.best.objective)) {
         DualityProof proof = duality_proof(elastic.grid(), x, *result.last.row_multipliers,
                                            elastic.box(result.best.objective, 0.0), "least_common_violation");
-        if (proof.bound > 0.0) found.proof = std::move(proof);
+        if (proof.bound > least_contradiction) found.proof = std::move(proof);
     }
     return found;
 }

@@ -102,7 +102,7 @@ class ElasticProblem final : public ContinuousProblem {
 
 struct Feasibility {
     Candidate point;                    ///< of the base problem, with the least violation
-    std::optional<DualityProof> proof;  ///< of infeasibility, where its bound is > 0
+    std::optional<DualityProof> proof;  ///< of infeasibility: its bound is above least_contradiction
     Termination termination = Termination::not_run;
     double seconds_solver = 0.0;  ///< wall time inside the backend
 };

@@ -14,8 +14,6 @@ using Eigen::VectorXd;
 
 constexpr double acceptable = 100.0;  // times the tolerance
 constexpr double elastic_tolerance = 1e-13;
-constexpr double least_proof =
-    1e-11;  // scaled common violation below which double precision cannot prove infeasibility
 
 // A warm start takes a dozen iterations; where it takes as many as a cold start, the cold start is more
 // reliable.
@@ -159,7 +157,7 @@ class LinearRowsRun {
         const ElasticResult elastic =
             least_violation(form_.model(), form_.to_model(start_), limits, control_);
         iterations_ += elastic.iterations;
-        if (!(elastic.violation > least_proof)) return false;
+        if (!(elastic.violation > least_contradiction)) return false;
         Ray ray{form_.row_multipliers(elastic.lambda, 1.0), {}};
         const VectorXd none = VectorXd::Zero(problem_.shape().variables());
         ray.bound_multipliers = form_.bound_multipliers(none, ray.row_multipliers);
@@ -171,7 +169,7 @@ class LinearRowsRun {
         for (Eigen::Index j = 0; j < rest.size(); ++j)
             if (!std::isfinite(rest[j] > 0.0 ? model.x_lower[j] : model.x_upper[j]))
                 uncertain += std::abs(rest[j]) * (1.0 + std::abs(elastic.x[j]));
-        if (!(value > least_proof) || !(value > 10.0 * uncertain)) return false;
+        if (!(value > least_contradiction) || !(value > 10.0 * uncertain)) return false;
         result.termination = Termination::infeasible;
         result.native_status =
             fmt::format("least common violation {:.3e} of the scaled rows", elastic.violation);

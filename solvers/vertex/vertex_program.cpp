@@ -382,15 +382,16 @@ VertexBound VertexProgram::bound_at_corner(const Eigen::VectorXd& cost) const {
 
 VertexBound VertexProgram::infeasible_bound() const {
     VertexBound result;
-    if (ray_face_ >= 0)
-        result.multipliers.emplace_back(ray_face_, factor_[static_cast<std::size_t>(ray_face_)]);
-    for (Eigen::Index k = 0; k < ray_.size(); ++k) {
-        const Face face = corner_[static_cast<std::size_t>(k)];
-        if (face >= 0 && ray_[k] > 0.0)
-            result.multipliers.emplace_back(face, ray_[k] * factor_[static_cast<std::size_t>(face)]);
-    }
+    double sum = 0.0;  // of the multipliers of rows scaled to size 1
+    const auto add = [&](Face face, double multiplier) {
+        if (face < 0 || !(multiplier > 0.0)) return;
+        result.multipliers.emplace_back(face, multiplier * factor_[static_cast<std::size_t>(face)]);
+        sum += multiplier;
+    };
+    add(ray_face_, 1.0);
+    for (Eigen::Index k = 0; k < ray_.size(); ++k) add(corner_[static_cast<std::size_t>(k)], ray_[k]);
     const double excess = bound_of(Eigen::VectorXd::Zero(lower_.size()), result.multipliers);
-    if (!(excess > 0.0)) return result;
+    if (!(excess > least_contradiction * sum)) return result;
     result.status = VertexBound::Status::infeasible;
     result.bound = infinity;
     return result;

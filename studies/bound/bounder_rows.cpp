@@ -88,16 +88,17 @@ void Bounder::sync_linear(Node& node) {
     }
     for (int i = node.linear_rows; i < shape.constraints(); ++i) {
         const Eigen::VectorXd& row = rows[static_cast<std::size_t>(i - node.linear_rows)];
+        const double rounding = shape.rows[static_cast<std::size_t>(i)].rounding;
         BoxStep step;
         step.origin = grid.row_origin(i);
         if (shape.g_upper[i] < infinity) {
             step.weights = row;
-            step.side = shape.g_upper[i] - offsets[i];
+            step.side = shape.g_upper[i] - offsets[i] + rounding;
             add_row(node, linear_step(i, 0, step));
         }
         if (shape.g_lower[i] > -infinity) {
             step.weights = -row;
-            step.side = offsets[i] - shape.g_lower[i];
+            step.side = offsets[i] - shape.g_lower[i] + rounding;
             add_row(node, linear_step(i, 1, step));
         }
     }

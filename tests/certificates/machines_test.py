@@ -132,6 +132,13 @@ def corridor_to_the_end(camopt, module, place):
     expect(module, place / "press", "refuted", "another corridor than that of the motions")
 
 
+def clearance_that_touches(camopt, module, place):
+    """What is left between two axes that rest is 0: round-off is no proof that they collide."""
+    run(camopt, checker.ROOT / "tests/cases/machine_touching/machine.toml", place / "touching")
+    assert json.loads((place / "touching/machine.json").read_text())["verdict"] == "optimal"
+    expect(module, place / "touching", "confirmed", "as camopt wrote it")
+
+
 def format_that_does_not_fit(camopt, place):
     """Is refused before the search, and leaves no folder."""
     ended = subprocess.run([camopt, "machine", str(checker.ROOT / "tests/cases/56_shear.toml"), "--plc", "siemens", "--out",
@@ -166,6 +173,7 @@ def main():
         for case in SMALL:
             small_machine(camopt, module, place, case)
         corridor_to_the_end(camopt, module, place)
+        clearance_that_touches(camopt, module, place)
         format_that_does_not_fit(camopt, place)
         axis_reports(camopt, place)
     print(f"{3 + len(SMALL)} machines confirmed, {3 + len(SMALL)} of them changed and then refuted or left open")

@@ -119,6 +119,17 @@ TEST(ContinuousSolve, InfeasibilityProofIgnoresBackendStatus) {
     }
 }
 
+TEST(ContinuousSolve, ViolationWithinRoundingProvesNothing) {
+    const auto verdict_of = [](double rounding) {
+        DiscProblem problem(1.0, 1.0 + 1e-6, rounding);
+        const PuppetSolver solver(says(Termination::converged, Eigen::Vector2d(1.0 + 1e-6, 0.0)));
+        return solve_continuous(problem, solver, {}, {}, {}).certificate.verdict;
+    };
+    EXPECT_EQ(verdict_of(0.0), Verdict::infeasible);
+    EXPECT_EQ(verdict_of(1e-7), Verdict::infeasible);
+    EXPECT_EQ(verdict_of(1e-5), Verdict::failed);
+}
+
 TEST(ContinuousSolve, BackendWithoutPointFails) {
     DiscProblem problem(1.0, 0.999999);
     JudgeOptions judge;

@@ -15,14 +15,15 @@ namespace camopt::testing_support {
 
 class DiscGrid final : public Nlp {
  public:
-    DiscGrid(std::vector<double> angles, double radius, double least_x0) : angles_(std::move(angles)) {
+    DiscGrid(std::vector<double> angles, double radius, double least_x0, double rounding)
+        : angles_(std::move(angles)) {
         const auto rows = static_cast<Eigen::Index>(angles_.size());
         shape_.x_lower = Eigen::Vector2d(least_x0, -10.0);
         shape_.x_upper = Eigen::Vector2d(10.0, 10.0);
         shape_.g_lower = Eigen::VectorXd::Constant(rows, -infinity);
         shape_.g_upper = Eigen::VectorXd::Constant(rows, radius);
         for (int i = 0; i < rows; ++i) {
-            shape_.rows.push_back({true, true, radius});
+            shape_.rows.push_back({true, true, radius, rounding});
             for (const int j : {0, 1}) {
                 shape_.jacobian.rows.push_back(i);
                 shape_.jacobian.columns.push_back(j);
@@ -53,8 +54,9 @@ class DiscGrid final : public Nlp {
 
 class DiscProblem : public ContinuousProblem {
  public:
-    explicit DiscProblem(double radius = 1.0, double least_x0 = -10.0)
-        : radius_(radius), least_x0_(least_x0) {
+    /// rounding: of the values of the rows, as they say of themselves.
+    explicit DiscProblem(double radius = 1.0, double least_x0 = -10.0, double rounding = 0.0)
+        : radius_(radius), least_x0_(least_x0), rounding_(rounding) {
         rebuild();
     }
     const Nlp& grid() const override { return *grid_; }
@@ -81,9 +83,9 @@ class DiscProblem : public ContinuousProblem {
     }
 
  private:
-    void rebuild() { grid_ = std::make_unique<DiscGrid>(angles_, radius_, least_x0_); }
+    void rebuild() { grid_ = std::make_unique<DiscGrid>(angles_, radius_, least_x0_, rounding_); }
 
-    double radius_, least_x0_;
+    double radius_, least_x0_, rounding_;
     std::vector<double> angles_{
         0.0, 0.3, 1.2, std::numbers::pi / 2.0, std::numbers::pi, -std::numbers::pi / 2.0};
     std::unique_ptr<DiscGrid> grid_;

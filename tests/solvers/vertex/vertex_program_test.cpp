@@ -84,6 +84,13 @@ TEST(VertexProgram, ProvesThatThereIsNothing) {
     EXPECT_GT(program.bound_of(Eigen::Vector2d::Zero(), nothing.multipliers), 0.0);
 }
 
+TEST(VertexProgram, ContradictionWithinRoundingProvesNothing) {
+    VertexProgram program(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
+    program.add_row(Eigen::Vector2d(1.0, 1.0), 1.0);
+    program.add_row(Eigen::Vector2d(-1.0, -1.0), -1.0 - 1e-12);
+    EXPECT_NE(program.minimize(Eigen::Vector2d(1.0, 0.0), {}).status, VertexBound::Status::infeasible);
+}
+
 TEST(VertexProgram, BoundsOfVariablesMayShrink) {
     VertexProgram program(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(4.0, 4.0));
     program.add_row(Eigen::Vector2d(1.0, 1.0), 5.0);

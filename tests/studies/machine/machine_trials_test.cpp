@@ -53,6 +53,10 @@ TEST(MachineTrials, StrokeLeavingItsLiftIsProved) {
     expect_largest(solve_machine(machine_case("56_shear.toml")), 92.7711);
 }
 
+TEST(MachineTrials, ClearanceThatTouchesIsNoContradiction) {
+    expect_largest(solve_machine(machine_case("machine_touching/machine.toml")), 148.24);
+}
+
 TEST(MachineTrials, FactorOfZeroLeavesAxisOut) {
     const char* const name = "machine_indexing/55_press.toml";
     const MachineSolution with = solve_machine(machine_case(name));
