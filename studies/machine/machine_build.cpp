@@ -19,20 +19,27 @@ constexpr DesignKind machine_design = DesignKind::coefficients;
 
 constexpr double finer_part = 1e-2;  // of the tolerance, where a first solve left the gap open
 
-/// The rule that makes a model's problem not convex; null: none does.
-const PointRule* general_rule(const CamModel& model) {
-    for (const PlacedRule& rule : model.rules)
-        if (rule->curvature(-infinity, infinity) == Curvature::general) return rule.rule.get();
-    return nullptr;
+[[noreturn]] void refuse(std::size_t axis, const std::string& key, const std::string& found,
+                         const std::string& allowed) {
+    throw SceneError({entry_key("axis", axis, joined_key("scene", key)), found, allowed});
 }
 
-void refuse_general(const CamModel& model, std::size_t axis) {
-    const PointRule* const rule = general_rule(model);
-    if (!rule) return;
-    const std::string key = rule->limit() ? rule->name() : "objective.torque";
-    throw SceneError({entry_key("axis", axis, joined_key("scene", key)), "a limit or term that is not convex",
-                      "in a machine linear and convex ones (velocity, acceleration, jerk, pressure angle, "
-                      "drive): only for these a largest speed can be proved"});
+/// Rules that make a model's problem not convex. At a given speed limits are left out, which is a relaxation:
+/// the motions found without them are the best ones with them if they satisfy them (delivered_axis). Returns
+/// their names.
+std::vector<std::string> leave_out_general(CamModel& model, std::size_t axis, bool at_given_speed) {
+    std::vector<std::string> left_out;
+    std::erase_if(model.rules, [&](const PlacedRule& rule) {
+        if (rule->curvature(-infinity, infinity) != Curvature::general) return false;
+        if (!rule->limit() || !at_given_speed)
+            refuse(
+                axis, rule->limit() ? rule->name() : "objective.torque", "a limit or term that is not convex",
+                "in a machine linear and convex ones (velocity, acceleration, jerk, pressure angle, drive): "
+                "only for these a largest speed can be proved");
+        left_out.push_back(rule->name());
+        return true;
+    });
+    return left_out;
 }
 
 /// Σ |factor| · range of the displacement: a clearance violated by all of it is violated by 100 %.
@@ -93,7 +100,7 @@ PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>&
         const Scene& scene = *made.scenes.back();
         made.posed.push_back(std::make_unique<PosedScene>(scene, HeldStrokes{memory.held[b], {}}));
         PosedScene& posed = *made.posed.back();
-        refuse_general(posed.model, b);
+        made.left_out.push_back(leave_out_general(posed.model, b, !machine.searches_speed()));
         made.plans.push_back(std::make_shared<const SolvePlan>(plan_of(posed)));
         const MotionSpec& motion = scene.motion;
         double advance = 0.0;
@@ -145,6 +152,14 @@ Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd&
     report_motion(solution, problem, own);
     posed.restore(solution);
     audit_delivered(solution);
+    if (!machine.left_out[b].empty() && certificate.reason == Reason::limit_not_kept)
+        refuse(b, machine.left_out[b].front(),
+               "a limit that is not convex, and that the best motions without it do not satisfy",
+               "in a machine at a given speed limits that are convex, or satisfied by these motions");
+    if (!machine.left_out[b].empty())
+        solution.notes.emplace_back(
+            "the limits that are not convex are inactive: the motions that are best without them satisfy "
+            "them");
     solution.family.reset();
     solution.notes.emplace_back(
         "an axis of a machine: the least total objective of all axes is proved in machine.json, not the "

@@ -14,6 +14,8 @@ struct PosedMachine {
     std::vector<std::unique_ptr<PosedScene>> posed;
     std::vector<std::shared_ptr<const SolvePlan>> plans;
     std::unique_ptr<MachineProblem> problem;
+    /// Of each axis: limits that are not convex and left out of the problem, at a given speed.
+    std::vector<std::vector<std::string>> left_out;
 };
 
 /// What one speed leaves for the next: rows, motions, and which axes are held within their strokes.
@@ -25,7 +27,7 @@ struct MachineMemory {
     void keep(const MachineProblem& problem);
 };
 
-/// Throws SceneError for an axis whose problem is not convex.
+/// Throws SceneError for an axis whose problem is not convex; at a given speed only for a term.
 [[nodiscard]] PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>& scenes,
                                          const MachineMemory& memory);
 /// Tolerances of the machine: the tightest of its axes.

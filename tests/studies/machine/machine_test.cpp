@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -145,6 +146,43 @@ TEST(Machine, LimitsThatAreNotConvexAreRefused) {
     EXPECT_NE(said.find("axis[1].scene.objective.torque: found a limit or term that is not convex"),
               std::string::npos)
         << said;
+}
+
+MachineSpec shed(const std::vector<std::string>& settings = {}) {
+    return input::read_machine(std::filesystem::path(source_folder()) / "scenes/machines/shed.toml",
+                               load_scene, settings);
+}
+
+TEST(Machine, ShedOfTwoFramesStaysOpen) {
+    const MachineSolution solution = solve_machine(shed());
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    const MachineSolution closer =
+        solve_machine(shed({"clearance[0].at_least_mm=60", "clearance[1].at_least_mm=60"}));
+    EXPECT_GT(solution.certificate.objective, closer.certificate.objective + 5e-3);
+    ASSERT_EQ(solution.axes.size(), 2U);
+    const std::array turns = {solution.axes[0].whole_turn(), solution.axes[1].whole_turn()};
+    const auto at = [&](std::size_t frame, double degrees) {
+        const double own = degrees - (frame == 1 ? 180.0 : 0.0);
+        const double unit = solution.axes[frame].scene.motion.unit_angle() / units::degree;
+        return 80.0 * turns[frame].at(std::fmod(own + 360.0, 360.0) / unit).derivative[0];
+    };
+    double least = 100.0, without = 100.0;
+    for (double degrees = 162.5; degrees <= 272.5; degrees += 0.01)
+        least = std::min(
+            {least, at(0, degrees) - at(1, degrees), at(1, degrees + 180.0) - at(0, degrees + 180.0)});
+    EXPECT_NEAR(least, 75.5, 1e-5);
+    for (const Extremum& shed : closer.clearances) without = std::min(without, shed.value);
+    EXPECT_NEAR(60e-3 + without, 74.40e-3, 1e-5);  // what is left of it where nothing is required
+    for (const Solution& frame : solution.axes)
+        EXPECT_LT(frame.cam->summary.pressure_angle.value, 33.0 * units::degree);
+}
+
+TEST(Machine, ViolatedNonconvexLimitIsRefused) {
+    EXPECT_EQ(refusal([] { (void)solve_machine(shed({"front.limits.pressure_angle_deg=30"})); }),
+              "axis[0].scene.limits.pressure_angle_deg: found a limit that is not convex, and that the best "
+              "motions "
+              "without it do not satisfy; allowed: in a machine at a given speed limits that are convex, or "
+              "satisfied by these motions");
 }
 
 TEST(Machine, SearchedNumbersOfAxesAreRefused) {
