@@ -91,12 +91,14 @@ std::unique_ptr<Law> reference_law(const std::string& key) {
 
 constexpr double overshoot = 0.25;  // of the given displacements: how far a typical motion exceeds them
 
-/// least <= value <= most.
-void add_range(CamModel& model, const std::string& name, const AffineRow& value, double least, double most) {
-    AffineRow above = value, below = combined({least, {}, {}}, -1.0, value);
-    above.offset -= most;
-    model.design_rows.push_back({name + ", at most", std::move(above)});
-    model.design_rows.push_back({name + ", at least", std::move(below)});
+/// least <= y <= most at the end of a segment.
+void add_range(CamModel& model, int segment, double least, double most) {
+    const double at = model.design.stretches()[static_cast<std::size_t>(segment)].end;
+    for (const int sign : {1, -1}) {
+        LinearBound bound{segment_key(segment, "to"), 0, sign, sign > 0 ? most : -least};
+        bound.from = bound.until = at;
+        model.rules.push_back(bound.rule());
+    }
 }
 
 void add_program_scales(CamModel& model, const Scene& scene) {
@@ -106,10 +108,7 @@ void add_program_scales(CamModel& model, const Scene& scene) {
     model.least_displacement = least - overshoot * std::max(1.0, most - least);
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
     const FreeDisplacements free = free_displacements(scene, model.design);
-    for (const int joint : free.joints) {
-        add_range(model, segment_key(joint - 1, "to"),
-                  model.design.stretches()[static_cast<std::size_t>(joint) - 1].to, free.least, free.most);
-    }
+    for (const int joint : free.joints) add_range(model, joint - 1, free.least, free.most);
 }
 
 /// Whether a shape begins (seen from the right) or ends with y' = 0.

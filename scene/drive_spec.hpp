@@ -17,11 +17,12 @@ namespace camopt {
 struct MotionSpec;
 
 struct DriveSpec {
-    double load = 0.0;           ///< m, >= 0
-    double motor_inertia = 0.0;  ///< J, >= 0; one of the two is > 0
-    double transmission = 0.0;   ///< r, > 0
-    double viscous = 0.0;        ///< c, >= 0
-    double force = 0.0;          ///< F
+    double load = 0.0;                                             ///< m, >= 0
+    double motor_inertia = 0.0;                                    ///< J, >= 0; one of the two is > 0
+    double transmission = 0.0;                                     ///< r, > 0
+    std::optional<std::array<double, 2>> transmission_range = {};  ///< searched: `transmission` was found
+    double viscous = 0.0;                                          ///< c, >= 0
+    double force = 0.0;                                            ///< F
     /// R, >= 0. Needs monotone strokes between given displacements; at rest it is 0.
     double friction = 0.0;
     /// Cam angle of the cycle that rms is taken over, rad; default a turn. Programs of one turn: a turn.

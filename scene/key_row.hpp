@@ -199,6 +199,8 @@ struct KeyRow {
     std::vector<std::string_view> cam_types = {};
     /// In a form, where the name does not say it: "choice among equal curves".
     std::string_view label = {};
+    /// Of a number: why it cannot be a range, for who writes one.
+    std::string_view no_range = {};
 
     [[nodiscard]] bool is_for(std::string_view type_of_cam) const {
         return cam_types.empty() || std::ranges::find(cam_types, type_of_cam) != cam_types.end();

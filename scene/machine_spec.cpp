@@ -54,6 +54,8 @@ Fault motion_fault(const Scene& scene) {
     }
     if (scene.spline.free_knots)
         return SceneFault{"spline.knots", "\"free\"", "in a machine fixed breakpoints"};
+    if (scene.drive && scene.drive->transmission_range)
+        return SceneFault{"drive.transmission", "a range", "in a machine a fixed number"};
     for (const SpringNumber& number : spring_numbers)
         if (scene.forces && (*scene.forces).*number.range)
             return SceneFault{number.key, "a range", "in a machine a fixed number"};

@@ -111,4 +111,10 @@ Scene with_written_limits(Scene scene) {
     return scene;
 }
 
+Scene valid_scene(Scene scene) {
+    scene = with_written_limits(std::move(scene));
+    validate(scene);
+    return scene;
+}
+
 }  // namespace camopt

@@ -18,6 +18,9 @@ namespace camopt {
 /// limit in time without a speed.
 [[nodiscard]] Scene with_written_limits(Scene scene);
 
+/// The same of a scene that is to be solved: validated, too.
+[[nodiscard]] Scene valid_scene(Scene scene);
+
 /// "limits.acceleration_mm_s2", "limits.motor_torque_nm.max": of a name without its unit. side: "min", "max",
 /// or empty for a number.
 [[nodiscard]] std::string written_limit_key(std::string_view name, std::string_view suffix,

@@ -182,6 +182,10 @@ class KeyCheck {
     void check_number(const Given& given, const std::string& key) const {
         const Node& value = given.value();
         const Range range = written_range(given);
+        if (value.kind == NodeKind::table && !given.row->no_range.empty())
+            source_.fail(value.place, key,
+                         fmt::format("found a table; allowed: {}: {}", given.row->allowed(*given.spelling),
+                                     given.row->no_range));
         refuse_unless(value.is_number() && range.contains(value.as_number()), given, key);
     }
 

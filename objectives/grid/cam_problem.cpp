@@ -142,7 +142,7 @@ double CamProblem::worst_of_limits(const Eigen::VectorXd& x) const {
     const auto limits = [](const auto& rows) {
         return std::ranges::any_of(rows, [](const auto& row) { return row.limit; });
     };
-    const bool any = !model_->design_rows.empty() || limits(model_->parameter_rows) ||
+    const bool any = limits(model_->parameter_rows) ||
                      std::ranges::any_of(model_->rules, [](const PlacedRule& rule) { return rule->limit(); });
     double worst = -1.0;
     if (!any) return worst;
@@ -182,12 +182,6 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
         const int rule = static_cast<int>(model_->rules.size()) + k;
         if (value / row.scale > -slack)
             found.push_back({rule, {value, model_->design.begin()}, value / row.scale, row.limit});
-    }
-    for (int k = 0; k < static_cast<int>(model_->design_rows.size()); ++k) {
-        const DesignRow& row = model_->design_rows[k];
-        const double amount = row.row.value(design_values(x));
-        const int rule = static_cast<int>(model_->rules.size() + model_->parameter_rows.size()) + k;
-        if (amount > -slack) found.push_back({rule, {amount, model_->design.begin()}, amount, true});
     }
     std::ranges::stable_sort(found, std::greater{}, &Violation::amount);
     return found;

@@ -94,14 +94,6 @@ void GridNlp::add_fixed_rows() {
         upper.push_back(source.upper);
         shape_.rows.push_back({true, source.limit, source.scale});
     }
-    for (const DesignRow& source : model.design_rows) {
-        Row row{source.row.columns, source.row.weights, source.row.offset, -1, {}};
-        for (std::size_t k = 0; k < row.columns.size(); ++k) row.weights[k] *= scale_[row.columns[k]];
-        rows_.push_back(std::move(row));
-        lower.push_back(-infinity);
-        upper.push_back(0.0);
-        shape_.rows.push_back({true, true, 1.0});
-    }
     first_sample_row_ = static_cast<int>(rows_.size());
     shape_.g_lower = Eigen::Map<Eigen::VectorXd>(lower.data(), static_cast<Eigen::Index>(lower.size()));
     shape_.g_upper = Eigen::Map<Eigen::VectorXd>(upper.data(), static_cast<Eigen::Index>(upper.size()));
@@ -410,7 +402,6 @@ RowOrigin GridNlp::row_origin(int index) const {
     RowOrigin origin;
     origin.limit = shape_.rows[index].limit;
     const int equalities = static_cast<int>(model_->design.equalities().size());
-    const int conditions = equalities + static_cast<int>(model_->parameter_rows.size());
     if (index >= first_sample_row_) {
         const RuleSample& place = samples_[index - first_sample_row_];
         origin = model_->rules[place.rule]->origin();
@@ -420,10 +411,8 @@ RowOrigin GridNlp::row_origin(int index) const {
             origin.remark = whole->remark(place.setting);
     } else if (index < equalities) {
         origin.rule = model_->design.equalities()[index].name;
-    } else if (index < conditions) {
-        origin.rule = model_->parameter_rows[index - equalities].name;
     } else {
-        origin.rule = model_->design_rows[index - conditions].name;
+        origin.rule = model_->parameter_rows[index - equalities].name;
     }
     return origin;
 }

@@ -102,8 +102,10 @@ void MachineProblem::merge_breaks(Clear& clear) const {
         for (const MotionFamily::Piece& piece : block.problem->model().design.pieces()) {
             double angle = block.spec.phase + piece.begin * block.spec.unit_angle;
             angle -= units::turn * std::floor((angle - from) / units::turn);
-            for (; angle < until; angle += units::turn)
+            while (angle < until) {
                 if (angle > from) clear.breaks.push_back(angle);
+                angle += units::turn;
+            }
         }
     }
     std::ranges::sort(clear.breaks);
@@ -121,12 +123,12 @@ std::vector<Extremum> MachineProblem::maxima_of(const Clear& clear, const std::v
     for (std::size_t i = 0; i + 1 < clear.breaks.size(); ++i) {
         const double begin = clear.breaks[i], width = clear.breaks[i + 1] - begin;
         Along along;
-        along.polynomial[0] = clear.rule.at_least / clear.rule.scale;
+        along.polynomial[0] = -clear.rule.bound / clear.rule.scale;
         for (std::size_t k = 0; k < clear.rule.axes.size(); ++k) {
             const int index = clear.rule.axes[k];
             const Block& block = blocks_[index];
             const MotionFamily& design = block.problem->model().design;
-            const double factor = -clear.rule.factors[k] * block.spec.lift / clear.rule.scale;
+            const double factor = clear.rule.weight(k, block.spec.lift);
             const double wide = width / block.spec.unit_angle;
             const auto [middle, advanced] = axis_place(index, begin + 0.5 * width);
             const double x0 = middle - 0.5 * wide;

@@ -107,7 +107,7 @@ class MachineProblem::Grid final : public Nlp {
         if (clearance >= 0) {
             const Clear& clear = machine_.clearances_[clearance];
             RowOrigin origin;
-            origin.rule = clear.rule.name;
+            origin.rule = clear.rule.key;
             origin.at = clear.angles[place.row];
             origin.limit = true;
             origin.order = 0;
@@ -128,11 +128,11 @@ class MachineProblem::Grid final : public Nlp {
     };
     [[nodiscard]] Row clearance_row(const Clear& clear, double angle) const {
         Row row;
-        row.offset = clear.rule.at_least / clear.rule.scale;
+        row.offset = -clear.rule.bound / clear.rule.scale;
         for (std::size_t k = 0; k < clear.rule.axes.size(); ++k) {
             const Block& block = machine_.blocks_[clear.rule.axes[k]];
             const CamModel& model = block.problem->model();
-            const double size = -clear.rule.factors[k] * block.spec.lift / clear.rule.scale;
+            const double size = clear.rule.weight(k, block.spec.lift);
             const OwnPlace place = machine_.axis_place(clear.rule.axes[k], angle);
             const AffineRow y = model.design.functional(place.x, 0);
             row.offset += size * (y.offset + place.advanced);
@@ -178,7 +178,7 @@ class MachineProblem::Grid final : public Nlp {
             const std::vector<int>& rows = row_of_[machine_.blocks_.size() + k];
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 Row row = clearance_row(clear, clear.angles[i]);
-                shape_.rows[rows[i]] = {true, machine_.is_limit(clear.rule.name), 1.0};
+                shape_.rows[rows[i]] = {true, machine_.is_limit(clear.rule.key), 1.0};
                 shape_.jacobian.rows.insert(shape_.jacobian.rows.end(), row.columns.size(), rows[i]);
                 shape_.jacobian.columns.insert(shape_.jacobian.columns.end(), row.columns.begin(),
                                                row.columns.end());
@@ -198,17 +198,15 @@ MachineProblem::MachineProblem(std::vector<MachineBlock> blocks, std::vector<Cle
         block.problem = std::make_unique<CamProblem>(std::move(given.model), given.samples);
         const CamModel& model = block.problem->model();
         block.first_rule = first_clearance_;
-        first_clearance_ +=
-            static_cast<int>(model.rules.size() + model.parameter_rows.size() + model.design_rows.size());
+        first_clearance_ += static_cast<int>(model.rules.size() + model.parameter_rows.size());
         block.spec = std::move(given.place);
         blocks_.push_back(std::move(block));
     }
     number_columns();
     for (ClearanceRule& rule : clearances) {
-        Clear clear;
-        clear.rule = std::move(rule);
+        Clear clear{std::move(rule)};
         if (clear.rule.from >= units::turn) clear.rule.from -= units::turn;
-        clear.length = clear.rule.to - clear.rule.from;
+        clear.length = clear.rule.until - clear.rule.from;
         if (clear.length <= 0.0) clear.length += units::turn;
         merge_breaks(clear);
         const int count = std::max(2, static_cast<int>(first_angles * clear.length / units::turn));
@@ -322,16 +320,10 @@ double MachineProblem::displacement(int index, const MotionChain& motion, double
 std::string MachineProblem::rule_name(int block, int rule) const {
     const Block& own = blocks_[block];
     const CamModel& model = own.problem->model();
-    auto index = static_cast<std::size_t>(rule);
-    std::string name;
-    if (index < model.rules.size()) {
-        name = model.rules[index]->origin().rule;
-    } else if ((index -= model.rules.size()) < model.parameter_rows.size()) {
-        name = model.parameter_rows[index].name;
-    } else {
-        name = model.design_rows[index - model.parameter_rows.size()].name;
-    }
-    return own.spec.name + ": " + name;
+    const auto index = static_cast<std::size_t>(rule);
+    const std::size_t rules = model.rules.size();
+    return own.spec.name + ": " +
+           (index < rules ? model.rules[index]->origin().rule : model.parameter_rows[index - rules].name);
 }
 
 std::vector<Violation> MachineProblem::violations(const Eigen::VectorXd& x, double slack) const {
@@ -348,7 +340,7 @@ std::vector<Violation> MachineProblem::violations(const Eigen::VectorXd& x, doub
         for (std::size_t k = 0; k < clearances_.size(); ++k)
             for (const Extremum& maximum : maxima_of(clearances_[k], curves, -slack))
                 found.push_back({first_clearance_ + static_cast<int>(k), maximum, maximum.value,
-                                 is_limit(clearances_[k].rule.name)});
+                                 is_limit(clearances_[k].rule.key)});
     }
     std::ranges::stable_sort(found, std::greater{}, &Violation::amount);
     return found;
@@ -486,7 +478,7 @@ std::vector<double> MachineProblem::samples(int clearance) const {
 MachineOrigin MachineProblem::place(const RowOrigin& origin) const {
     MachineOrigin place;
     for (std::size_t k = 0; k < clearances_.size(); ++k)
-        if (clearances_[k].rule.name == origin.rule) {
+        if (clearances_[k].rule.key == origin.rule) {
             place.clearance = static_cast<int>(k);
             place.angle = wrapped(origin.at.value_or(0.0));
             return place;

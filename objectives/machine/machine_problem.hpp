@@ -17,6 +17,7 @@
 
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/linear_bound.hpp"
 
 namespace camopt {
 
@@ -37,14 +38,33 @@ struct MachineBlock {
     std::vector<RuleSample> samples = {};  ///< of an earlier grid of the same rules
 };
 
-struct ClearanceRule {
-    std::string name;
+/// Σ factor · displacement >= at_least: y is the sum, in SI, sign −1 and the bound −at_least. Between two
+/// angles of the master, rad; from > until passes the end of the cycle.
+struct ClearanceRule : LinearBound {
     std::vector<int> axes;
     std::vector<double> factors;
-    double at_least = 0.0;                ///< SI
-    double from = 0.0, to = units::turn;  ///< rad of the master; from > to passes the end of the cycle
-    double scale = 1.0;                   ///< SI, > 0: a violation of 100 %
-    std::vector<double> samples = {};     ///< master angles of an earlier grid
+    std::vector<double> samples = {};  ///< master angles of an earlier grid
+
+    /// All round; at_least and scale in SI.
+    ClearanceRule(std::string name, std::vector<int> of_axes, std::vector<double> with_factors,
+                  double at_least, double violation)
+        : LinearBound{std::move(name), 0, -1, -at_least, violation},
+          axes(std::move(of_axes)),
+          factors(std::move(with_factors)) {
+        from = 0.0;
+        until = units::turn;
+    }
+    /// The same between two angles.
+    [[nodiscard]] ClearanceRule between(double begin, double end) && {
+        from = begin;
+        until = end;
+        return std::move(*this);
+    }
+
+    /// What an axis adds to g for y = 1, `lift`: SI of it.
+    [[nodiscard]] double weight(std::size_t axis, double lift) const {
+        return sign * factors[axis] * lift / scale;
+    }
 };
 
 /// Where a row of the machine comes from.
@@ -107,7 +127,7 @@ class MachineProblem final : public ContinuousProblem {
     struct Clear {
         ClearanceRule rule;
         double length = 0.0;
-        std::vector<double> breaks;         ///< the merged breakpoints, ends included
+        std::vector<double> breaks = {};    ///< the merged breakpoints, ends included
         std::map<double, int> places = {};  ///< master angle → row of `angles`
         std::vector<double> angles = {};    ///< of its rows
     };

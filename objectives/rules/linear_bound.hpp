@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one linear rule on the motion between two angles: a limit of either side, an edge of a corridor, the
-// range of a stroke, a limit of a motor that follows the motion, the epigraph of a peak.
+// range of a stroke or of a displacement that is free, a limit of a motor that follows the motion, the
+// epigraph of a peak. Of several motions on one master: a clearance (objectives/machine/machine_problem.hpp).
 //
 //   (sign · y^{(order)} − bound) / scale − q <= 0   or, of a motor,   (w · (y', y'', 1) − bound) / scale <= 0
 //
@@ -21,7 +22,7 @@ struct LinearBound {
     std::string remark = {};          ///< tells rows of one key apart
     int peak = -1;                    ///< the parameter of the problem that is q; −1: a limit
 
-    double from = -infinity, until = infinity;  ///< x
+    double from = -infinity, until = infinity;  ///< x; the same: at this x alone
     int stretch = -1;                           ///< of the family; −1: any
     PlacedRule::Datum datum = PlacedRule::Datum::zero;
     bool on_copies = false;  ///< as in PlacedRule

@@ -119,12 +119,6 @@ struct StretchScale {
     double displacement = 1.0;  ///< in lifts, > 0
 };
 
-/// row(design) <= 0: a limit on the design itself.
-struct DesignRow {
-    std::string name;
-    AffineRow row;
-};
-
 /// Σ_p weights_p q_p <= upper.
 struct ParameterRow {
     std::string name;
@@ -157,7 +151,6 @@ struct CamModel {
     std::vector<Parameter> parameters;
     std::vector<PlacedRule> rules;
     std::vector<ParameterRow> parameter_rows;
-    std::vector<DesignRow> design_rows;
     std::optional<MotorBounds> motor;
     /// The constant cost of fixed dimensions.
     double cost_constant = 0.0;

@@ -30,6 +30,9 @@ constexpr std::array<SweepDriveColumn, 3> drive_columns = {
     {{"motor_torque_nm", "torque of the motor", &SweepDrive::torque, &newton_metres},
      {"motor_torque_rms_nm", "rms torque of the motor", &SweepDrive::rms_torque, &newton_metres},
      {"motor_speed_rpm", "speed of the motor", &SweepDrive::speed, &rpm_shown}}};
+constexpr std::array<SweepPartColumn<SweepSpring>, 2> spring_columns = {
+    {{"preload", "", &SweepSpring::preload, &without_unit},
+     {"spring_rate", "", &SweepSpring::spring_rate, &without_unit}}};
 constexpr std::array<SweepPartColumn<SweepSought>, 2> sought_columns = {
     {{"sought_value", "", &SweepSought::value, &without_unit},
      {"sought_impossible", "", &SweepSought::impossible, &without_unit}}};
@@ -48,6 +51,7 @@ void for_each_part(const SweepColumns& columns, SweepRow& row, const auto& visit
     if (columns.cam()) visit(swept_cam_columns, row.cam);
     if (columns.train) visit(train_columns, row.train);
     if (columns.drive) visit(drive_columns, row.drive);
+    if (columns.spring) visit(spring_columns, row.spring);
     if (columns.sought) visit(sought_columns, row.sought);
     if (columns.machine) visit(machine_columns, row.machine);
     if (columns.front) visit(front_columns, row.front);
@@ -211,6 +215,7 @@ SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
     };
     columns.train = has(train_columns);
     columns.drive = has(drive_columns);
+    columns.spring = has(spring_columns);
     columns.sought = has(sought_columns);
     columns.machine = has(machine_columns);
     columns.front = has(front_columns);

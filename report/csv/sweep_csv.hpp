@@ -3,9 +3,9 @@
 //
 // Columns: row, the varied keys as written, verdict, reason, pareto_front (1 or 0), objective, lower_bound,
 // gap, any_curve_limit, the figures (normalised), the variable dimensions in mm, properties of the cam
-// (SweepColumns::cam) and of the motor, places on a front, active_limits (keys, joined by "; "), proof,
-// counts, seconds_solve, seconds_total. Numbers read back as the same double; what does not exist is an empty
-// cell. docs/sweep.md explains each.
+// (SweepColumns::cam) and of the motor, the chosen spring, places on a front, active_limits (keys, joined by
+// "; "), proof, counts, seconds_solve, seconds_total. Numbers read back as the same double; what does not
+// exist is an empty cell. docs/sweep.md explains each.
 #pragma once
 
 #include "report/view/shown_units.hpp"

@@ -25,6 +25,9 @@ std::vector<Figure> drive_figures(const Scene& scene, const DriveFigures& drive)
                                peak("peak_speed", rpm_shown, drive.speed),
                                peak("peak_power", watts, drive.power),
                                {{"inertia_ratio"}, Cell(scene.drive->inertia_ratio())}};
+    if (scene.drive->transmission_range)
+        all.push_back({{"transmission", {}, transmission_shown(scene.motion, LengthUnit::millimetre)},
+                       Cell(scene.drive->transmission)});
     if (!scene.limits.motor_curve.empty()) all.push_back(peak("share_of_curve", {}, drive.share_of_curve));
     return all;
 }

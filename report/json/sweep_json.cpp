@@ -33,6 +33,7 @@ static void grid_fields(const JsonFields& json, StoredSweep& sweep) {
     json("dimensions", columns.dimensions);
     json("train", columns.train);
     json("drive", columns.drive);
+    json.unless("spring", columns.spring, false);
     json("sought", columns.sought);
     json("machine", columns.machine);
     json("criteria", columns.criteria);

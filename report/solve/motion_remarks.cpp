@@ -91,6 +91,10 @@ std::vector<std::string> drive_sentences(const Solution& solution) {
     if (const std::optional<double> ratio = scene.drive->inertia_ratio())
         sentences.push_back(
             fmt::format("motor: the load's inertia is {} times its own", short_text(*ratio, 4)));
+    if (scene.drive->transmission_range)
+        sentences.push_back(
+            fmt::format("motor: a transmission of {} was found best",
+                        transmission_shown(scene.motion, scene.length_unit).text(scene.drive->transmission)));
     if (!scene.limits.motor_curve.empty())
         sentences.push_back(fmt::format("motor: nearest to its torque-speed curve at {} deg, {} % of it",
                                         at(drive.share_of_curve),

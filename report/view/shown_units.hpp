@@ -52,6 +52,12 @@ struct ShownUnit {
 inline const ShownUnit degrees_shown = unit_named<"deg">, rpm_shown = unit_named<"rpm">,
                        hertz_shown = unit_named<"Hz">, millimetres_shown = unit_named<"mm">;
 
+/// Of the transmission of a motor.
+[[nodiscard]] inline ShownUnit transmission_shown(const MotionSpec& motion, LengthUnit length) {
+    if (motion.lift_is_angle) return unit_named<"deg/rev">;
+    return length == LengthUnit::inch ? unit_named<"in/rev"> : unit_named<"mm/rev">;
+}
+
 /// The unit of a derivative of the motion.
 struct MotionUnit : ShownUnit {
     using ShownUnit::ShownUnit;

@@ -85,6 +85,27 @@ Fault cycle_fault(const Scene& scene) {
     return std::nullopt;
 }
 
+Fault transmission_fault(const Scene& scene, bool needs_motor) {
+    const auto& range = scene.drive->transmission_range;
+    if (!range) return std::nullopt;
+    const auto fault = [](std::string found, std::string allowed) {
+        return SceneFault{"drive.transmission", std::move(found), std::move(allowed)};
+    };
+    if (!((*range)[0] > 0.0 && (*range)[0] < (*range)[1] && std::isfinite((*range)[1])))
+        return fault(fmt::format("{} to {}", (*range)[0], (*range)[1]),
+                     "a range { min, max } with 0 < min < max, or a number");
+    if (!needs_motor)
+        return fault("a range without a limit or a term of the motor",
+                     "a number, or a range together with one of them: nothing else depends on it");
+    if (scene.objective.sought) return fault("a range where the objective seeks another number", "a number");
+    for (const ResponseTerm& term : response_terms())
+        if (term.needs_drive() && term.weight_in(scene.objective) > 0.0 &&
+            !(scene.objective.reference.*term.reference))
+            return fault("a range, with which the torque of the reference law changes",
+                         fmt::format("a number, or objective.reference.{} as a number", term.name));
+    return std::nullopt;
+}
+
 }  // namespace
 
 DriveTorque drive_torque(const DriveSpec& drive, const MotionSpec& motion) {
@@ -116,6 +137,7 @@ Fault drive_fault(const Scene& scene) {
                                       limits.motor_torque_max->given()),
                           "a least torque below the largest"};
     if (Fault fault = friction_fault(scene)) return fault;
+    if (Fault fault = transmission_fault(scene, !member.empty())) return fault;
     return cycle_fault(scene);
 }
 

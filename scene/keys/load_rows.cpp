@@ -36,19 +36,21 @@ KeyPlace of_stage(Member member) {
 }
 
 /// A number, or the range that it is chosen from.
-KeyPlace chosen_place(double ForceSpec::*number, std::optional<std::array<double, 2>> ForceSpec::*range) {
-    const KeyPlace one = stored_in(&Scene::forces, number);
+template <class Part>
+KeyPlace chosen_place(std::optional<Part> Scene::*part, double Part::*number,
+                      std::optional<std::array<double, 2>> Part::*range) {
+    const KeyPlace one = stored_in(part, number);
     KeyPlace place = one;
     place.assign = [=](Scene& scene, const KeyValue& value, const KeyAt& at) {
         const auto* const both = std::get_if<KeyBounds>(&value);
         one.assign(scene, both != nullptr ? KeyValue(0.5 * (*both->least + *both->most)) : value, at);
-        auto& own = scene.forces.value().*range;
+        auto& own = (scene.*part).value().*range;
         own.reset();
         if (both != nullptr) own = {*both->least, *both->most};
     };
     place.value = [=](const Scene& scene, const KeyAt& at) -> std::optional<KeyValue> {
-        if (!scene.forces || !((*scene.forces).*range)) return one.value(scene, at);
-        const std::array<double, 2>& both = *((*scene.forces).*range);
+        if (!(scene.*part) || !((*(scene.*part)).*range)) return one.value(scene, at);
+        const std::array<double, 2>& both = *((*(scene.*part)).*range);
         return KeyBounds{both[0], both[1]};
     };
     return place;
@@ -76,11 +78,11 @@ Rows forces() {
         {"forces", "spring_rate", number_or_range, spring_rate, not_negative, {}, "0",
          "Rate of the return spring: per length for translating, per angle for oscillating followers. A range: the optimizer "
          "chooses it for the limits on loads.",
-         chosen_place(&ForceSpec::spring_rate, &ForceSpec::spring_rate_range)},
+         chosen_place(&Scene::forces, &ForceSpec::spring_rate, &ForceSpec::spring_rate_range)},
         {"forces", "preload", number_or_range, force_or_moment, any, {}, "0",
          "Force (translating) or moment (oscillating) that presses the follower against the cam at displacement 0, "
          "at rest: spring, weight, load. A range: the optimizer chooses it.",
-         chosen_place(&ForceSpec::preload, &ForceSpec::preload_range)},
+         chosen_place(&Scene::forces, &ForceSpec::preload, &ForceSpec::preload_range)},
         {"forces", "damping", number, damper, not_negative, {}, "0",
          "Viscous damping of the follower: force by its velocity, moment by its angular velocity.",
          stored_in(&Scene::forces, &ForceSpec::damping)},
@@ -149,15 +151,16 @@ Rows dynamics() {
 }
 
 Rows drive() {
-    return {
+    Rows rows = {
         {"drive", "load_mass", number, mass, not_negative, {}, "0",
          "Moved with the output; of a lift that is a length.", stored_in(&Scene::drive, &DriveSpec::load)},
         {"drive", "load_inertia", number, inertia, not_negative, {}, "0",
          "The same where the lift is an angle.", stored_in(&Scene::drive, &DriveSpec::load), Availability::now, "load_mass"},
         {"drive", "motor_inertia", number, inertia, not_negative, {}, "0",
          "Of motor, brake and gear, at the motor.", stored_in(&Scene::drive, &DriveSpec::motor_inertia)},
-        {"drive", "transmission", number, travel_per_turn, positive, {}, "required",
-         "Travel of the output a revolution of the motor.", stored_in(&Scene::drive, &DriveSpec::transmission)},
+        {"drive", "transmission", number_or_range, travel_per_turn, positive, {}, "required",
+         "Travel of the output a revolution of the motor. A range: the best transmission is searched.",
+         chosen_place(&Scene::drive, &DriveSpec::transmission, &DriveSpec::transmission_range)},
         {"drive", "viscous", number, damper, not_negative, {}, "0",
          "Viscous friction of the output: force by its velocity, moment by its angular velocity.",
          stored_in(&Scene::drive, &DriveSpec::viscous)},
@@ -173,6 +176,11 @@ Rows drive() {
          "Cam angle of the cycle that the root mean square is taken over; outside the motion the axis rests.",
          stored_in(&Scene::drive, &DriveSpec::cycle)},
     };
+    for (KeyRow& row : rows)
+        if (row.type == number)
+            row.no_range = "of a drive only the transmission is searched: everything else belongs to the motor and the machine; "
+                           "compare values by camopt sweep --vary";
+    return rows;
 }
 // clang-format on
 

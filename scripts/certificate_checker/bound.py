@@ -13,7 +13,7 @@ from .strokes import farthest, stroke_of
 from .phase_rows import add_phase_row, use_phase_rows
 
 
-RANGE_OF_LEVEL = re.compile(r"motion\.segments\[(\d+)\]\.to, at (most|least)")
+RANGE_OF_LEVEL = re.compile(r"motion\.segments\[(\d+)\]\.to")
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
 LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
@@ -169,7 +169,7 @@ class Bound:
         origin, multiplier = row["origin"], factor * number(row["multiplier"])
         level = RANGE_OF_LEVEL.fullmatch(origin["rule"])
         if level and multiplier > 0 and int(level[1]) + 1 in self.problem.free:
-            return self.use(self.range_row(int(level[1]) + 1, level[2] == "most"), multiplier)
+            return self.use(self.range_row(int(level[1]) + 1, origin["sign"] > 0), multiplier)
         if "at" not in origin or not multiplier or origin["rule"] == "area":
             return  # conditions, limits of peaks, the area: their multipliers are chosen here
         if multiplier < 0:

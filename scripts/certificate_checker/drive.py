@@ -41,6 +41,22 @@ def written(table, units, name):
     return next(((f"{name}_{unit}", Fraction(size)) for unit, size in units.items() if f"{name}_{unit}" in table), (None, None))
 
 
+def with_transmission_found(scene, result):
+    """The scene with the transmission that was found in place of its range, in which it lies."""
+    given = scene.get("drive", {})
+    key = next((name for name, value in given.items() if name.startswith("transmission_") and isinstance(value, dict)), None)
+    if key is None or not result.get("drive"):
+        return scene
+    stated = next((name for name in result["drive"] if name.startswith("transmission_")), None)
+    if stated is None:
+        raise Refuted("the result does not say which transmission was found")
+    sizes = [Fraction(TRAVELS[name.removeprefix("transmission_")]) for name in (stated, key)]
+    found, (least, most) = number(result["drive"][stated]) * sizes[0] / sizes[1], (number(given[key][end]) for end in ("min", "max"))
+    if not least * (1 - STATED) <= found <= most * (1 + STATED):
+        raise Refuted(f"a transmission of {float(found)} is outside its range")
+    return scene | {"drive": given | {key: found}}
+
+
 class Rule:
     """by_torque * torque + by_speed * n <= most (and the peak `peak`, where there is one); `scale`: a violation of 100 %."""
 

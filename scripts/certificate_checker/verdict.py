@@ -11,7 +11,7 @@ from .box_proof import BoxProof
 from .cam import Cam
 from .cases import by_angles, by_direction, displacements_found, judge_cases, relaxed_by, searched_angles, with_angles
 from .conditions import Conditions
-from .drive import Drive, TERMS as MOTOR_TERMS
+from .drive import Drive, TERMS as MOTOR_TERMS, with_transmission_found
 from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
 from .known import name_what_is_unknown
 from .least import judge_least, without_keys
@@ -114,8 +114,8 @@ def judge(folder, report, vipr_path):
 
 def judge_scene(folder, scene, report, vipr_path):
     name_what_is_unknown(scene)
-    scene = in_known_units(scene)
     result = json.loads((folder / "result.json").read_text())
+    scene = with_transmission_found(in_known_units(scene), result)
     certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
     verdict, proof = certificate["verdict"], certificate["proof"]
     report.say(f"claimed: {verdict}, objective {certificate['objective']}, bound {certificate['lower_bound']}")

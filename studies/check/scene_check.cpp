@@ -238,8 +238,7 @@ std::vector<DerivativeError> derivative_errors(const Nlp& problem, const Eigen::
 }
 
 SceneCheck check_scene(const Scene& scene) {
-    const Scene complete = with_written_limits(scene);
-    validate(complete);
+    const Scene complete = valid_scene(scene);
     (void)sought_number(complete);  // throws: a key that names no number of the scene
     SceneCheck check;
     const PosedScene posed(complete);

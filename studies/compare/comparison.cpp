@@ -339,10 +339,12 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
     Comparison comparison;
     comparison.optimum = solve_asked(complete, control);
     const Solution& solution = comparison.optimum;
-    // The laws get the optimum's angles and spring, and the number that was found for it.
+    // The laws get the optimum's angles, spring and transmission, and the number that was found for it.
     const bool chosen = complete.forces && complete.forces->is_chosen();
-    if (searches_angles(complete) || solution.least || chosen) complete = solution.scene;
+    const bool geared = complete.drive && complete.drive->transmission_range;
+    if (searches_angles(complete) || solution.least || chosen || geared) complete = solution.scene;
     if (chosen) complete.forces->fix();
+    if (geared) complete.drive->transmission_range.reset();
     const Bench bench = bench_of(complete, solution);
     comparison.cam = bench.cam;
     std::optional<double> optimum;

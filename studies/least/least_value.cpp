@@ -381,8 +381,7 @@ void refuse_sought_number(const Scene& scene, std::string_view study) {
 Solution solve_asked(const Scene& scene, const SolveControl& control, KnownSolutions* known,
                      const PlanOptions& options) {
     if (!scene.objective.sought) return solve_without_explaining(scene, control, known, options);
-    const Scene complete = with_written_limits(scene);
-    validate(complete);
+    const Scene complete = valid_scene(scene);
     if (known != nullptr) known->optima.withdraw();
     return LeastSearch(complete, *sought_number(complete), control, options).run();
 }

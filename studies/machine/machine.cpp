@@ -455,7 +455,7 @@ MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& 
     if (const std::optional<SceneFault> fault = find_fault(machine)) throw SceneError(*fault);
     for (std::size_t b = 0; b < machine.axes.size(); ++b) {
         try {
-            validate(with_written_limits(at_speed(machine.axes[b].scene, machine.least_speed)));
+            (void)valid_scene(at_speed(machine.axes[b].scene, machine.least_speed));
         } catch (const SceneError& error) {
             throw SceneError({entry_key("axis", b, joined_key("scene", error.fault().member)),
                               error.fault().found, error.fault().allowed});

@@ -58,13 +58,9 @@ std::vector<ClearanceRule> clearance_rules(const MachineSpec& machine, const Mac
     rules.reserve(machine.clearances.size());
     for (std::size_t k = 0; k < machine.clearances.size(); ++k) {
         const Clearance& given = machine.clearances[k];
-        ClearanceRule rule{name_of_clearance(static_cast<int>(k)),
-                           {},
-                           {},
-                           given.at_least,
-                           given.from,
-                           given.to,
-                           scale_of(machine, given)};
+        ClearanceRule rule = ClearanceRule(name_of_clearance(static_cast<int>(k)), {}, {}, given.at_least,
+                                           scale_of(machine, given))
+                                 .between(given.from, given.to);
         if (k < memory.clearances.size()) rule.samples = memory.clearances[k];
         for (std::size_t i = 0; i < given.axes.size(); ++i) {
             if (given.factors[i] == 0.0) continue;

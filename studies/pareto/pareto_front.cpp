@@ -309,8 +309,7 @@ void FrontRequest::validate(const Scene& scene) const {
 }
 
 ParetoFront pareto_front(const Scene& scene, const FrontRequest& request, const RowRun& run) {
-    const Scene written = with_written_limits(scene);
-    validate(written);
+    const Scene written = valid_scene(scene);
     request.validate(written);
     return Tracer(written, request, run).trace();
 }

@@ -116,15 +116,20 @@ Scene with_found_angles(const Scene& scene, const ResultRecord& record) {
     return with_segment_angles(scene, angles);
 }
 
-/// The spring that was chosen is part of the design, too.
-void take_chosen_spring(Scene& scene, const ResultRecord& record) {
-    for (const SpringNumber& number : spring_numbers) {
-        if (!scene.forces || !((*scene.forces).*number.range) || !record.motion) continue;
+/// The spring and the transmission that were chosen are part of the design, too.
+void take_chosen_numbers(Scene& scene, const ResultRecord& record) {
+    if (!record.motion) return;
+    const auto chosen = [&](std::string_view key) {
         const auto& names = record.design.names;
-        const auto found = std::ranges::find(names, std::string_view(number.key));
-        if (found == names.end()) refuse(fmt::format("found no {} in its design", number.key));
-        (*scene.forces).*number.number = record.design.values[found - names.begin()];
-    }
+        const auto found = std::ranges::find(names, key);
+        if (found == names.end()) refuse(fmt::format("found no {} in its design", key));
+        return record.design.values[found - names.begin()];
+    };
+    for (const SpringNumber& number : spring_numbers)
+        if (scene.forces && (*scene.forces).*number.range)
+            (*scene.forces).*number.number = chosen(number.key);
+    if (scene.drive && scene.drive->transmission_range)
+        scene.drive->transmission = chosen("drive.transmission");
 }
 
 }  // namespace
@@ -135,7 +140,7 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     solution.reference_peaks = reference_peaks(scene);
     solution.plan = std::make_shared<const SolvePlan>(plan(scene, {.explain = true}));
     if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
-    take_chosen_spring(solution.scene, record);
+    take_chosen_numbers(solution.scene, record);
     if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
     if (record.motion) report_delivered(solution, delivered_of(solution.scene, record));
     tell_of_run(solution, record);

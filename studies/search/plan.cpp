@@ -52,6 +52,7 @@ void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {
     if (scene.spline.free_knots && !scene.motion.prescribed())
         plan.breakpoints =
             static_cast<int>(start_breakpoints(scene).size() - held_breakpoints(scene).size()) - 2;
+    plan.transmission = scene.drive && scene.drive->transmission_range;
     plan.displacements = static_cast<int>(free_displacements(posed.scene, posed.model.design).joints.size());
     plan.dimensions = static_cast<int>(
         std::ranges::count(posed.model.parameters, Parameter::Kind::dimension, &Parameter::kind));
@@ -97,6 +98,7 @@ bool bounds_by_angles(const Scene& scene) {
 }
 
 ProofKind planned_proof(const SolvePlan& plan, const PosedScene& posed, bool general) {
+    if (plan.transmission) return ProofKind::none;
     if (plan.angles > 0)
         return plan.breakpoints == 0 && bounds_by_angles(posed.scene) ? ProofKind::boxes : ProofKind::none;
     if (plan.breakpoints > 0)
@@ -136,7 +138,7 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
                    !is_general(rule, model.least_displacement, model.most_displacement);
         }))
         plan.relaxations.push_back(ConvexOver::sensible_motion);
-    plan.convex = !general && plan.angles == 0 && plan.breakpoints == 0;
+    plan.convex = !general && plan.angles == 0 && plan.breakpoints == 0 && !plan.transmission;
     if (general || plan.breakpoints > 0) plan.starts = scene.solver.starts.value_or(default_starts);
     plan.from_measured = model.start_design.size() > 0;
     plan.seed = scene.solver.seed;
@@ -156,8 +158,7 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
 }
 
 SolvePlan plan(const Scene& scene, const PlanOptions& options) {
-    const Scene complete = with_written_limits(scene);
-    validate(complete);
+    const Scene complete = valid_scene(scene);
     return plan_of(PosedScene(complete), options);
 }
 

@@ -31,11 +31,12 @@ struct PlanOptions {
 
 struct SolvePlan {
     // What is searched, besides the motion for given numbers.
-    bool prescribed = false;  ///< laws and dwells only: not even the motion
-    int angles = 0;           ///< segments of a program whose angle has a range
-    int displacements = 0;    ///< free levels of a program: variables of the problem
-    int breakpoints = 0;      ///< free breakpoints inside the motion
-    int dimensions = 0;       ///< free dimensions of the cam: variables of the problem
+    bool prescribed = false;    ///< laws and dwells only: not even the motion
+    int angles = 0;             ///< segments of a program whose angle has a range
+    int displacements = 0;      ///< free levels of a program: variables of the problem
+    int breakpoints = 0;        ///< free breakpoints inside the motion
+    int dimensions = 0;         ///< free dimensions of the cam: variables of the problem
+    bool transmission = false;  ///< that of the motor
 
     // The solve for given angles and breakpoints.
     std::string solver;

@@ -10,6 +10,7 @@
 #include "studies/measured/measured_fit.hpp"
 #include "studies/search/free_angles.hpp"
 #include "studies/search/free_knots.hpp"
+#include "studies/search/free_transmission.hpp"
 #include "studies/search/presolve.hpp"
 #include "studies/search/solve_motion.hpp"
 #include "studies/search/stroke_directions.hpp"
@@ -104,10 +105,13 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
                          may_end ? &leaves_strokes : nullptr};
     const double seconds_posed = watch.seconds();
     Solution solution;
-    if (plan->angles > 0) {
-        solution = solve_free_angles(scene, *plan, timed, [](const Scene& one, const SolveControl& of_one) {
-            return solve_planned(one, of_one);  // each set of them by its own plan
-        });
+    const SolveScene solve_given = [](const Scene& one, const SolveControl& of_one) {
+        return solve_planned(one, of_one);  // each set of numbers by its own plan
+    };
+    if (plan->transmission) {
+        solution = solve_free_transmission(scene, timed, solve_given);
+    } else if (plan->angles > 0) {
+        solution = solve_free_angles(scene, *plan, timed, solve_given);
     } else {
         solution = plan->breakpoints > 0 ? solve_free_knots(run,
                                                             [](const Scene& one, const SolveControl& of_one) {
@@ -140,8 +144,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
 
 Solution solve_without_explaining(const Scene& given, const SolveControl& control, KnownSolutions* known,
                                   const PlanOptions& options) {
-    const Scene scene = with_written_limits(given);
-    validate(scene);
+    const Scene scene = valid_scene(given);
     if (known != nullptr) {
         known->optima.withdraw();
         std::optional<Solution> proved = known->optima.proved(scene, [](const Solution& solution) {

@@ -80,12 +80,13 @@ void check_solve(const Scene& scene, CheckedLaws& checked) {
 struct Seen {
     std::array<bool, dimension_count> variable{}, weighed{};
     std::array<bool, sweep_figure_count> figures{};
-    bool train = false, drive = false, sought = false;
+    bool train = false, drive = false, spring = false, sought = false;
     std::vector<std::string> responses;  ///< weighed ones, by name
 
     void add(const Scene& scene) {
         train = train || scene.dynamics.has_value();
         drive = drive || scene.drive.has_value();
+        spring = spring || (scene.forces && scene.forces->is_chosen());
         sought = sought || scene.objective.sought.has_value();
         for (const ResponseTerm& term : response_terms())
             if ((term.needs_dynamics() || term.needs_drive()) && term.weight_in(scene.objective) > 0.0 &&
@@ -108,6 +109,7 @@ struct Seen {
         columns.length_unit = unit;
         columns.train = train;
         columns.drive = drive;
+        columns.spring = spring;
         columns.sought = sought;
         for (int i = 0; i < sweep_figure_count; ++i)
             if (figures[i]) columns.criteria.emplace_back(name_of(static_cast<SweepFigure>(i)));
@@ -138,6 +140,11 @@ void set_train(SweepRow& row, const TrainReport& train) {
 
 void set_drive(SweepRow& row, const DriveFigures& drive) {
     row.drive = {finite(drive.torque.value), finite(drive.rms_torque), finite(drive.speed.value)};
+}
+
+void set_spring(SweepRow& row, const ForceSpec& forces) {
+    if (forces.preload_range) row.spring.preload = finite(forces.preload);
+    if (forces.spring_rate_range) row.spring.spring_rate = finite(forces.spring_rate);
 }
 
 void set_cam(SweepRow& row, const CamSummary& cam) {
@@ -292,6 +299,7 @@ SweepRow sweep_row(int number, std::span<const double> settings, const Solution&
         }
         if (solution.train) set_train(row, *solution.train);
         if (solution.drive) set_drive(row, *solution.drive);
+        if (solution.scene.forces) set_spring(row, *solution.scene.forces);
         if (solution.least) row.sought = {solution.least->value, solution.least->impossible};
         for (const ConstraintReport& limit : solution.constraints)
             if (limit.active) row.active_limits.push_back(limit.key);

@@ -33,6 +33,12 @@ struct SweepDrive {
     std::optional<double> torque, rms_torque, speed;
 };
 
+/// Of a feasible row whose spring is chosen with the motion: what was chosen, N and N/m, swinging N m and N
+/// m/rad.
+struct SweepSpring {
+    std::optional<double> preload, spring_rate;
+};
+
 /// Of a row of a machine, rad/s: its speed, and the one at which it is proved that no motions exist.
 struct SweepMachine {
     std::optional<double> speed, impossible_above;
@@ -64,6 +70,7 @@ struct SweepRow {
     SweepCam cam;
     SweepTrain train;
     SweepDrive drive;
+    SweepSpring spring;
     SweepMachine machine;
     SweepSought sought;
     SweepFrontPlace front;
@@ -97,6 +104,7 @@ struct SweepColumns {
     std::vector<std::string> criteria;
     LengthUnit length_unit = LengthUnit::millimetre;  ///< in which people read the dimensions; files: mm
     bool drive = false;                               ///< at least one row has a motor
+    bool spring = false;                              ///< the spring of at least one row is chosen
     bool sought = false;                              ///< at least one row seeks a number
     bool front = false;                               ///< the rows are those of a front
 

@@ -144,6 +144,8 @@ TEXTS = {
                        "angle_deg = 120\nto = 1\n" + DWELL + "angle_deg = 50\n" + LAW + 'law = "modified_sine"\nangle_deg = 150\nto = 0\n' +
                        TURNTABLE + "friction_nm = 0.8\n[spline]\nsegments = 10\n[limits]\nmotor_torque_nm = { min = -0.4, max = 0.72 }\n"
                        '[objective]\njerk = 0.2\nmotor_torque_rms = 1\nreference = "cycloidal"\n', "optimal"),
+    "drive_range": (SLIDE.replace("per_rev = 60", "per_rev = { min = 20, max = 120 }") + "[objective]\njerk = 1\n[spline]\nsegments = 16\n"
+                    "[limits]\nmotor_torque_nm = 4.2\n", "local"),
     "drive_curve": (SLIDE + "[objective]\njerk = 1\n[spline]\ndegree = 5\nsegments = 16\n[limits]\n"
                     "motor_curve = [[0, 4.4], [900, 4.4], [2100, 1.2]]\nmotor_speed_rpm = 1500\n", "optimal"),
     "drive_rms_limit": (SLIDE + "[objective]\njerk = 1\nmotor_torque = 0.2\n[spline]\nsegments = 16\n[limits]\n"

@@ -162,6 +162,7 @@ EDITS += [("curve", raised_bound), ("curve_jerk", raised_bound), ("free", lighte
           ("free_law", law_of_another_height)]
 EDITS += [("drive_curve", other_figure(name)) for name in ("peak_torque_nm", "rms_torque_nm", "peak_speed_rpm", "peak_power_w",
                                                            "share_of_curve", "inertia_ratio")]
+EDITS += [("drive_range", other_figure("transmission_mm_per_rev"))]
 
 
 def not_named(module, folder, place, name):

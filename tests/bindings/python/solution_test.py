@@ -195,6 +195,47 @@ class WithoutMotion(unittest.TestCase):
 
 
 class Solvers(unittest.TestCase):
+    def test_ranges_are_chosen_with_the_motion(self):
+        text = """
+[motion]
+type = "DRD"
+lift_mm = 12
+rise_deg = 60
+speed_rpm = 380
+[spline]
+segments = 12
+[objective]
+jerk = 1
+[cam]
+type = "disk"
+follower = "translating_roller"
+base_radius_mm = 40
+roller_radius_mm = 8
+[forces]
+mass_kg = 1
+spring_rate_n_mm = 4
+[limits]
+contact_force_min_n = 10
+contact_force_max_n = 500
+"""
+        scene = camopt.Scene.from_toml(text)
+        scene["forces.preload_n"] = {"min": 0, "max": 1000}
+        chosen = camopt.solve(scene)
+        self.assertEqual(chosen.verdict, "optimal")
+        design = chosen.to_dict()["design"]
+        preload = dict(zip(design["names"], design["values"]))["forces.preload"]
+        self.assertTrue(0 < preload < 1000, preload)
+        self.assertEqual(scene["forces.preload_n"], {"min": 0, "max": 1000})
+        scene["forces.preload_n"] = preload
+        self.assertAlmostEqual(camopt.solve(scene).fun, chosen.fun, delta=1e-7)
+        scene["forces.preload_n"] = {"min": 0, "max": 1000}
+        columns = camopt.sweep(scene, {"forces.mass_kg": [1, 1.1]}).to_dict()
+        self.assertAlmostEqual(columns["preload"][0], preload, delta=1e-3)
+        self.assertGreater(columns["preload"][1], preload)
+        self.assertTrue(np.all(np.isnan(columns["spring_rate"])))
+        with self.assertRaisesRegex(camopt.InputError, "found a range from 5"):
+            camopt.solve(scene, {"forces.preload_n": {"min": 5, "max": 5}})
+
     def test_neighbours_have_the_verdicts_of_cold_solves(self):
         scene = camopt.Scene.from_file(program.scene_path("cam_roller.toml"))
         solver = camopt.Solver(scene)

@@ -57,7 +57,7 @@ Eigen::VectorXd random_point(const MachineProblem& problem, unsigned seed) {
 /// g_k at one master angle, from the motions.
 double clearance_at(const MachineProblem& problem, const ClearanceRule& rule, const Eigen::VectorXd& x,
                     double angle) {
-    double sum = rule.at_least;
+    double sum = -rule.bound;
     for (std::size_t k = 0; k < rule.axes.size(); ++k) {
         const MotionChain motion = problem.axis(rule.axes[k]).motion(problem.axis_x(rule.axes[k], x));
         sum -= rule.factors[k] * problem.displacement(rule.axes[k], motion, angle);
@@ -67,14 +67,15 @@ double clearance_at(const MachineProblem& problem, const ClearanceRule& rule, co
 
 TEST(Clearance, MaximumIsExactBetweenSamples) {
     for (const char* const law : {static_cast<const char*>(nullptr), "modified_sine", "cycloidal"}) {
-        const std::vector<ClearanceRule> rules = {{"pair", {0, 1}, {1.0, -1.0}, -0.02, 0.0, units::turn, 0.1},
-                                                  {"three", {0, 1, 2}, {1.0, 0.5, -2.0}, 0.0, 5.0, 1.0, 0.2}};
+        const std::vector<ClearanceRule> rules = {
+            {"pair", {0, 1}, {1.0, -1.0}, -0.02, 0.1},
+            ClearanceRule("three", {0, 1, 2}, {1.0, 0.5, -2.0}, 0.0, 0.2).between(5.0, 1.0)};
         const MachineProblem problem =
             machine({stroke(100.0, law), stroke(120.0), stroke(90.0)}, {0.0, 37.0, -301.0}, rules);
         const Eigen::VectorXd x = random_point(problem, 7);
         for (int k = 0; k < 2; ++k) {
             const ClearanceRule& rule = rules[static_cast<std::size_t>(k)];
-            const double length = rule.to - rule.from + (rule.to > rule.from ? 0.0 : units::turn);
+            const double length = rule.until - rule.from + (rule.until > rule.from ? 0.0 : units::turn);
             double sampled = -infinity;
             constexpr int samples = 3000;
             for (int i = 0; i <= samples; ++i)
@@ -88,7 +89,7 @@ TEST(Clearance, MaximumIsExactBetweenSamples) {
 }
 
 TEST(Clearance, ViolationsLeadToRowsThatHoldThem) {
-    const std::vector<ClearanceRule> rules = {{"pair", {0, 1}, {1.0, -1.0}, -0.03, 0.0, units::turn, 0.1}};
+    const std::vector<ClearanceRule> rules = {{"pair", {0, 1}, {1.0, -1.0}, -0.03, 0.1}};
     MachineProblem problem = machine({stroke(100.0), stroke(120.0)}, {0.0, 37.0}, rules);
     const Eigen::VectorXd x = random_point(problem, 5);
     const std::vector<Violation> found = problem.violations(x, 0.0);
@@ -108,7 +109,8 @@ TEST(Clearance, ViolationsLeadToRowsThatHoldThem) {
 }
 
 TEST(MachineProblem, DerivativesAgreeWithDifferences) {
-    const std::vector<ClearanceRule> rules = {{"pair", {1, 0}, {1.0, -0.5}, -0.03, 1.0, 4.0, 0.1}};
+    const std::vector<ClearanceRule> rules = {
+        ClearanceRule("pair", {1, 0}, {1.0, -0.5}, -0.03, 0.1).between(1.0, 4.0)};
     Scene with_mean = stroke(100.0);
     with_mean.objective.rms_jerk = 0.5;
     const MachineProblem problem = machine({with_mean, stroke(130.0)}, {10.0, 200.0}, rules);
@@ -128,7 +130,7 @@ double factor_entries(int axes, int segments) {
     const Scene scene = stroke(100.0, nullptr, 3, segments);
     for (int b = 0; b < axes; ++b) {
         blocks.push_back(block("axis", scene, 5.0 * b));
-        if (b > 0) rules.push_back({"pair", {b - 1, b}, {1.0, -1.0}, -0.03, 0.0, units::turn, 0.1});
+        if (b > 0) rules.push_back({"pair", {b - 1, b}, {1.0, -1.0}, -0.03, 0.1});
     }
     const MachineProblem problem(std::move(blocks), std::move(rules));
     const NlpShape& shape = problem.grid().shape();

@@ -129,6 +129,22 @@ TEST(SweepCsv, KeepsFiguresOfTheMotor) {
     EXPECT_EQ(sweep_csv(read), text);
 }
 
+TEST(SweepCsv, KeepsChosenSpring) {
+    SweepTable table = random_table();
+    table.columns.spring = true;
+    for (SweepRow& row : table.rows)
+        if (row.number % 3 != 0) row.spring.preload = 7.25 * row.number;
+    const std::string text = sweep_csv(table);
+    EXPECT_TRUE(says(text.substr(0, text.find('\n')), ",preload,spring_rate,active_limits"));
+    const SweepTable read = read_sweep_csv(text, "sweep.csv");
+    EXPECT_TRUE(read.columns.spring);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        EXPECT_EQ(read.rows[i].spring.preload, table.rows[i].spring.preload);
+        EXPECT_FALSE(read.rows[i].spring.spring_rate);
+    }
+    EXPECT_EQ(sweep_csv(read), text);
+}
+
 /// Only where the cam differs from row to row; each figure is that of the row's own solve.
 TEST(SweepCsv, CamPropertiesEqualSingleSolves) {
     const std::string text =
