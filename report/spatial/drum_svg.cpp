@@ -179,14 +179,14 @@ std::string drum_svg(const Drum& drum) {
     canvas.text(picture_left + picture_frame_width - 10, picture_top + picture_frame_height - 12,
                 "parallel projection, cam angle 0", "end");
     const bool ribs = indexes(drum.cam, drum.motion);
-    LegendColumn column(canvas, 8 + figure_entries(drum.solution));
+    LegendColumn column(canvas, 8 + figure_entries(drum.solution, DrawnFigures::of_whole_cam));
     if (!ribs) column.sample("hub", "core");
     column.sample("rib", ribs ? "cam" : "both flanks of the groove");
     if (ribs) column.sample("rollers", "rollers that hold its rib");
     column.heading("dimensions");
     add_dimensions(column, drum.solution);
     column.words(fmt::format("turns {}", name_of(drum.cam.rotation)));
-    add_figures(column, drum.solution);
+    add_figures(column, drum.solution, DrawnFigures::of_whole_cam);
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }
@@ -250,7 +250,7 @@ std::string developed_svg(const Drum& drum) {
         drawing, place, std::array<std::string_view, 5>{"plus", "plus-deep", "minus", "minus-deep", "axis"});
     labels.draw(canvas, words, places_around(peak.x(), peak.y(), text_width(words, font, true), font),
                 "peak-label", font, true);
-    LegendColumn column(canvas, 9 + figure_entries(drum.solution));
+    LegendColumn column(canvas, 9 + figure_entries(drum.solution, DrawnFigures::of_whole_cam));
     column.sample("plus", "one flank, outer end");
     column.sample("plus-deep", "at the inner end");
     column.sample("minus", "other flank, outer end");
@@ -258,7 +258,7 @@ std::string developed_svg(const Drum& drum) {
     column.sample("axis", "way of the roller's axis");
     column.heading("dimensions");
     add_dimensions(column, drum.solution);
-    add_figures(column, drum.solution);
+    add_figures(column, drum.solution, DrawnFigures::of_whole_cam);
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }
