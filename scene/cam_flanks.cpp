@@ -29,6 +29,16 @@ std::vector<double> even_heights(const CamFlanks& cam, const FlankSampling& samp
 
 }  // namespace
 
+DrumSize body_around(const DrumSize& groove, const DrumBody& body, double wall) {
+    DrumSize size = groove;
+    if (body.diameter) size.radius = 0.5 * *body.diameter;
+    const double length = groove.upper - groove.lower;
+    const double beyond = body.length ? 0.5 * (*body.length - length) : body.wall.value_or(wall);
+    size.lower -= beyond;
+    size.upper += beyond;
+    return size;
+}
+
 void FlankSampling::validate() const {
     if (sections < 2) throw InputError(fmt::format("sections: found {}; allowed: at least 2", sections));
     if (angles < 2) throw InputError(fmt::format("angles: found {}; allowed: at least 2", angles));

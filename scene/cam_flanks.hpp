@@ -51,9 +51,28 @@ struct RollerArc {
     double z = 0.0;          ///< of its centre
 };
 
+/// How the body of a drum is turned, as far as the scene says so; m.
+struct DrumBody {
+    std::optional<double> diameter = {}, length = {};
+    std::optional<double> wall = {};  ///< least one between the groove and either end of the body
+    std::optional<double> bore = {};  ///< diameter
+    friend bool operator==(const DrumBody&, const DrumBody&) = default;
+};
+
+/// Of a body of revolution, or of what a groove takes of one: largest radius, ends along the axis; m.
+struct DrumSize {
+    double radius = 0.0, lower = 0.0, upper = 0.0;
+};
+/// The body around a groove of this size. `wall`: at its ends where the scene gives neither wall nor length.
+[[nodiscard]] DrumSize body_around(const DrumSize& groove, const DrumBody& body, double wall);
+
 struct CamFlanks {
     Rotation rotation = Rotation::counterclockwise;
-    double roller_radius = 0.0, roller_length = 0.0;
+    /// Half the width of the groove: that of the roller where it has no clearance.
+    double roller_radius = 0.0;
+    double roller_length = 0.0;
+    double clearance = 0.0;  ///< width of the groove less the diameter of its roller, m
+    DrumBody body = {};
     double start = 0.0;   ///< the follower's position at displacement 0
     bool swings = false;  ///< the follower turns, and its position is an angle
     /// About which the rollers swing, in the frame that stands still; none: they slide.
@@ -128,6 +147,10 @@ struct RollerGuide {
     /// ψ: polar angle of the roller's centre in the body where the output is in this state.
     std::function<double(const FollowerState& output)> angle;
     std::function<double(double angle)> ratio;  ///< |d output / dψ| where the body is at ψ
+    /// How much faster than forwards the roller returns, slowing down to rest as it left it: the output then
+    /// runs its curve backwards, the r-th derivatives times the r-th power of this. None: nothing is said of
+    /// a return.
+    std::optional<double> return_rate = {};
 };
 
 }  // namespace camopt

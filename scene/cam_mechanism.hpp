@@ -48,6 +48,12 @@ class CamMechanism {
     /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.
     [[nodiscard]] virtual std::string fault(std::span<const double> dimensions, double least,
                                             double most) const = 0;
+    /// The load of the output acts on the cam's surface: its follower is the output.
+    [[nodiscard]] virtual bool carries_load() const { return direct() != nullptr; }
+    /// Which side of a loaded cam a station lies on. One with two sides drives both ways: a force F > 0 along
+    /// the lift presses on side 0, F < 0 on side 1.
+    [[nodiscard]] virtual int side_of(int station) const { return station; }
+    [[nodiscard]] virtual std::string side_name(int side) const { return station_name(side); }
     /// The first fault of a scene's cam of this kind, for every choice of its dimensions within their ranges;
     /// by default: a range that does not ascend, a lift that does not fit, a mechanism that does not reach
     /// with every dimension in its middle.
@@ -84,6 +90,18 @@ class CamMechanism {
 
     // What follows from these.
 
+    [[nodiscard]] int sides() const {
+        int last = 0;
+        for (int station = 0; station < stations(); ++station) last = std::max(last, side_of(station));
+        return last + 1;
+    }
+    /// +1 if a force F > 0 along the lift acts on the station, −1 if F < 0 does.
+    [[nodiscard]] double pressing_sense(int station) const { return side_of(station) == 0 ? 1.0 : -1.0; }
+    /// DirectCam::slide; none of a cam that has no such capability.
+    [[nodiscard]] std::optional<double> slide(std::span<const double> dimensions) const {
+        const DirectCam* const cam = direct();
+        return cam == nullptr ? std::nullopt : cam->slide(dimensions);
+    }
     [[nodiscard]] int roller_radius() const { return roller_radius_at(0); }
     /// The contact element: without a roller a flat face, or the edge that moves along the pitch curve.
     [[nodiscard]] ContactKind contact() const {

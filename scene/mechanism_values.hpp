@@ -21,8 +21,9 @@ enum class MechanismQuantity {
     cam_radius,            ///< signed radius of the cam, m; followers with a flat face
     regularity,            ///< <= 0: undercut. Planar: 1 − r κ; spatial: g of the flank
     contact_offset,        ///< contact offset of a flat face, m
-    normal_lever  ///< force along the normal = F / lever (pushed: cos φ) or M / lever (swinging, m); direct
-                  ///< cams
+    normal_lever,  ///< force along the normal = F / lever (pushed: cos φ) or M / lever (swinging, m); loaded
+                   ///< cams
+    contact_radius  ///< m: R of the Hertz pressure √(N E* / (π b R)); loaded three-dimensional cams
 };
 
 /// Throws ModelError: the mechanism does not have the requested quantity.
@@ -53,11 +54,6 @@ struct MechanismSetting {
     std::span<const double> dimensions;
     std::span<const int> active;
 };
-
-/// +1 if a force F > 0 along the lift acts on the station, −1 if F < 0 does, for cams that drive both ways.
-[[nodiscard]] constexpr double pressing_sense(int station) {
-    return station == 0 ? 1.0 : -1.0;
-}
 
 /// One state of one mechanism.
 struct MechanismState {
@@ -90,6 +86,7 @@ struct MechanismPoint {
     double cam_radius = 0.0;         ///< signed, m: > 0 convex, < 0 concave; NaN where it has none
     double regularity = 0.0;
     double contact_offset = 0.0;  ///< m: contact offset of a flat face (profiles/disk/disk_cam.hpp)
+    double contact_radius = 0.0;  ///< m: as the quantity; only of a mechanism that has it
 };
 
 /// A part of a drawing of the mechanism in the fixed frame, in its plane, m.

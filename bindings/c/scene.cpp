@@ -23,12 +23,8 @@ namespace {
                                            "; allowed: where the solution has a plane cam that was made");
 }
 
-bool has_plane_cam(const Solution& solution) {
-    return !cam_file_list(solution).empty();
-}
-
 std::string cam_document(const Solution& solution, CamView view, const char* what) {
-    if (!has_plane_cam(solution)) refuse_drawing(what);
+    if (!has_cam_table(solution)) refuse_drawing(what);
     return cam_view(solution, view);
 }
 
@@ -52,7 +48,7 @@ std::string document_of(const camopt_solution& result, camopt_document document)
         case CAMOPT_PROFILE_CSV:
             return cam_document(solution, CamView::table, "CAMOPT_PROFILE_CSV");
         case CAMOPT_PROFILE_DXF:
-            if (!has_plane_cam(solution)) refuse_drawing("CAMOPT_PROFILE_DXF");
+            if (!has_cam_table(solution)) refuse_drawing("CAMOPT_PROFILE_DXF");
             return exported_file(solution, drawn_profile);
         case CAMOPT_PROFILE_SVG:
             return cam_document(solution, CamView::picture, "CAMOPT_PROFILE_SVG");

@@ -19,7 +19,7 @@ COVERS = ["timing.svg", "cam.svg", "mechanism.svg", "guide.svg", "profile.svg", 
 CAPTIONS = {"timing.svg": "All axes and clearances over one revolution of the master", "drive.svg": "The motor",
             "motion.svg": "The motion found", "profile.svg": "The cam", "profile_diagrams.svg": "Pressure angle and curvature",
             "mechanism.svg": "The mechanism", "guide.svg": "The guide", "cam.svg": "The cam", "curvature.svg": "Curvature",
-            "pressure_angle.svg": "Pressure angle"}
+            "pressure_angle.svg": "Pressure angle", "drawing.svg": "The workshop drawing", "forces.svg": "Force, torque and pressure"}
 GROUPS = [("Motions between dwells", "drd_"), ("Rise and return", "rr_"), ("Disk cams", "cam_"), ("Cams with a linkage", "tappet_"),
           ("Plates that slide", "linear_"),
           ("Cams in three dimensions", ("barrel_", "cylinder_", "ocrf_")), ("Others", "")]
@@ -64,7 +64,7 @@ def solved(program, scene, folder):
         raise SystemExit(f"site: camopt {command} {scene} ended with {run.returncode}: {run.stdout[-1000:]}")
     cam = tomllib.loads(scene.read_text()).get("cam", {})
     if run.returncode == 0 and cam.get("type") in ("barrel", "cylindrical"):
-        subprocess.run([program, "export", folder / "result", "--out", folder / "result", "--picture"], check=True,
+        subprocess.run([program, "export", folder / "result", "--out", folder / "result", "--picture", "--drawing", "svg"], check=True,
                        stdout=subprocess.DEVNULL)
     # Which files it wrote where is of no interest here.
     words = "\n".join(line for line in run.stdout.split("\n") if not line.lstrip().startswith("wrote "))

@@ -103,12 +103,13 @@ void add_contact_force(Limits& limits, const WrittenLimit& limit, const Force& f
 
 /// Of a cam that drives both ways, to either side.
 void add_largest_force(Limits& limits, const WrittenLimit& limit, const Force& force) {
-    for (int station = 0; station < limits.cam().stations(); ++station) {
-        CamFormula formula = cam_formula(limit.key, [=, most = limit.value](const auto& call) {
-            return pressing_sense(station) / most * force(call) + -1.0;
-        });
+    for (int side = 0; side < limits.cam().sides(); ++side) {
+        CamFormula formula =
+            cam_formula(limit.key, [=, sense = side == 0 ? 1.0 : -1.0, most = limit.value](const auto& call) {
+                return sense / most * force(call) + -1.0;
+            });
         formula.linear = true;
-        force.place(formula, limits.cam().station_name(station));
+        force.place(formula, limits.cam().side_name(side));
         limits.add(std::move(formula));
     }
 }
@@ -146,9 +147,12 @@ void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& 
         {force.spec.preload, least_force_share * force.swing(limits.variables().scale), least_scale});
     const double factor = -carried / unit, wider = limits.wider_by(station);
     const int roller = limits.cam().roller_radius_at(station);
+    const bool planar = limits.cam().radius_quantity().has_value();
+    const double sense = limits.cam().pressing_sense(station);
     CamFormula formula = cam_formula(limit.key, [=](const auto& call) {
-        const auto press = pressing_sense(station) / unit * force(call);
+        const auto press = sense / unit * force(call);
         const auto lever = call.quantity(normal_lever, station);
+        if (!planar) return press + factor * (call.quantity(contact_radius, station) * lever);
         if (roller < 0) return press + factor * (call.quantity(cam_radius, station) * lever);
         const auto radius = call.quantity(regularity, station) * call.dimension(roller);
         if (!(wider > 0.0)) return press + factor * (radius * lever);

@@ -149,6 +149,7 @@ template <class Number, class Roller>
             return roller.normal_lever();
         case MechanismQuantity::cam_radius:
         case MechanismQuantity::contact_offset:
+        case MechanismQuantity::contact_radius:
             break;
     }
     refuse_quantity(name_of(follower));
@@ -172,6 +173,7 @@ template <class Number>
         case MechanismQuantity::normal_lever:
             return Number(1.0);
         case MechanismQuantity::pitch_curvature:
+        case MechanismQuantity::contact_radius:
             break;
     }
     refuse_quantity(name_of(FollowerType::translating_flat));
@@ -194,6 +196,7 @@ template <class Number>
         case MechanismQuantity::normal_lever:
             return face.contact_offset();
         case MechanismQuantity::pitch_curvature:
+        case MechanismQuantity::contact_radius:
             break;
     }
     refuse_quantity(name_of(FollowerType::oscillating_flat));

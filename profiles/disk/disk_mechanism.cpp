@@ -42,7 +42,9 @@ class DiskMechanism final : public CamMechanism,
     [[nodiscard]] bool swings() const override { return is_oscillating(follower_); }
     [[nodiscard]] Rotation rotation() const override { return rotation_; }
     [[nodiscard]] int stations() const override { return side_count(form_); }
-    [[nodiscard]] std::string station_name(int station) const override { return side_name(form_, station); }
+    [[nodiscard]] std::string station_name(int station) const override {
+        return camopt::side_name(form_, station);
+    }
     [[nodiscard]] double surface_offset(std::span<const double> dimensions, int station) const override {
         return camopt::surface_offset(cam(dimensions), station);
     }

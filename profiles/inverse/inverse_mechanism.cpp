@@ -23,7 +23,7 @@ double number(std::span<const double> numbers, InverseNumber which) {
 }
 
 /// +1 on the left wall, −1 on the right one.
-double side_of(int station) {
+double wall_sign(int station) {
     return station == 0 ? 1.0 : -1.0;
 }
 
@@ -100,6 +100,8 @@ class InverseMechanism final : public CamMechanism,
                                public MechanismEnclosures,
                                public PlaneMechanism {
  public:
+    explicit InverseMechanism(std::optional<double> return_angle) : return_angle_(return_angle) {}
+
     [[nodiscard]] std::string type() const override { return inverse_type; }
     [[nodiscard]] bool swings() const override { return false; }
     [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
@@ -170,16 +172,16 @@ class InverseMechanism final : public CamMechanism,
         const RangeOver cubed = cube_of_root(squared(still.tangent) + RangeOver(1.0));
         const RangeOver radius = own.numbers[static_cast<std::size_t>(InverseNumber::roller_radius)];
         const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
-        const RangeOver room = side_of(station) * still.top + (margin - 1.0) * (cubed / radius);
+        const RangeOver room = wall_sign(station) * still.top + (margin - 1.0) * (cubed / radius);
         return room * squared(own.roller.velocity) / (turned * lever) -
-               side_of(station) * (turned * state.acceleration);
+               wall_sign(station) * (turned * state.acceleration);
     }
     [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                            const MechanismStateAlong& state,
                                                            int station) const override {
         std::array<RangeAlong, inverse_number_count> numbers;
         std::copy_n(state.dimensions.begin(), inverse_number_count, numbers.begin());
-        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
+        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), wall_sign(station)};
         return value_of<RangeAlong>(which, numbers, {state.s, state.velocity, state.acceleration},
                                     state.theta, wall);
     }
@@ -192,7 +194,8 @@ class InverseMechanism final : public CamMechanism,
         point.pressure_angle = point.pitch_curvature = point.cam_radius = point.regularity = nowhere;
         if (found.fault != InverseFault::none) return point;
         const PolarNode& node = found.node;
-        const double radius = number(state.dimensions, InverseNumber::roller_radius), side = side_of(station);
+        const double radius = number(state.dimensions, InverseNumber::roller_radius),
+                     side = wall_sign(station);
         const double tangent = node.distance * node.slope, secant = std::sqrt(1.0 + tangent * tangent);
         point.pressure_angle = std::atan(tangent);
         const double direction = node.angle + point.pressure_angle;
@@ -243,10 +246,13 @@ class InverseMechanism final : public CamMechanism,
         guide.ratio = [linkage](double angle) {
             return std::abs(feeder_motion(linkage, {-angle, 1.0, 0.0}).feeder.velocity);
         };
+        if (return_angle_) guide.return_rate = number(numbers, roller_angle) / *return_angle_;
         return guide;
     }
 
  private:
+    std::optional<double> return_angle_;
+
     template <int n>
     static MechanismValue expanded(MechanismQuantity which, const MechanismState& state, int station,
                                    std::span<const int> active) {
@@ -259,7 +265,7 @@ class InverseMechanism final : public CamMechanism,
         const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
                                                      variable<n>(state.output.velocity, 1),
                                                      variable<n>(state.output.acceleration, 2)};
-        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
+        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), wall_sign(station)};
         const auto value =
             value_of<SecondOrder<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
         const auto size = static_cast<Eigen::Index>(3 + active.size());
@@ -310,7 +316,7 @@ CamSpec inverse_spec() {
 std::shared_ptr<const CamMechanism> inverse_mechanism(const CamSpec& spec) {
     if (spec.type != inverse_type)
         throw InputError(fmt::format("a mechanism of type \"{}\"; allowed: \"inverse\"", spec.type));
-    return std::make_shared<InverseMechanism>();
+    return std::make_shared<InverseMechanism>(return_angle(spec));
 }
 
 }  // namespace camopt

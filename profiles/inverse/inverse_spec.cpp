@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/inverse/inverse_spec.hpp"
 
+#include "core/text/quantity_text.hpp"
 #include "scene/cam_kind.hpp"
+#include "scene/scene.hpp"
+
+#include <fmt/format.h>
 
 namespace camopt {
 
@@ -39,6 +43,9 @@ std::vector<KeyRow> inverse_rows() {
          "The same at the end of the roller's stroke."},
         {"cam", "roller_angle", number_or_range, angle, positive, {}, "required for inverse",
          "Cam angle of that stroke, from rest to its end."},
+        {"cam", "roller_return_angle", number, angle, positive, {}, "none",
+         "Cam angle in which the roller returns from its end to rest, with constant deceleration: the output then runs "
+         "its curve backwards in this time, and its velocity and acceleration there are reported."},
         {"cam", "roller_from", number_or_range, length, positive, {}, "required for inverse",
          "The same distance where the rise begins; between rest and end."},
         {"cam", "pin_distance", number_or_range, length, positive, {}, "required for inverse",
@@ -56,6 +63,25 @@ std::vector<KeyRow> inverse_rows() {
 }
 // clang-format on
 
+constexpr const char* return_key = "roller_return_angle";
+
+/// Its return, behind the numbers of the kind: what is left of the revolution at most.
+CamSpec with_return(CamSpec spec, const std::map<std::string, double>& given) {
+    const auto found = given.find(return_key);
+    if (found == given.end()) return spec;
+    const Dimension& forward = spec.dimensions[static_cast<std::size_t>(InverseNumber::roller_angle)].value;
+    constexpr double rounding = 1e-6;  // rad: angles that fill the revolution
+    if (found->second + forward.low > units::turn + rounding)
+        throw SceneError({fmt::format("cam.{}", return_key), angle_text(found->second),
+                          fmt::format("at most {}, what the forward stroke leaves of the revolution",
+                                      angle_text(units::turn - forward.low))});
+    CamDimension dimension{return_key, Dimension(found->second), true};
+    dimension.value.key = fmt::format("cam.{}_deg", return_key);
+    dimension.value.unit = units::degree;
+    spec.dimensions.push_back(std::move(dimension));
+    return spec;
+}
+
 /// What a scene need not say.
 std::optional<double> default_of(InverseNumber number) {
     if (number == InverseNumber::pin_angle || number == InverseNumber::rocker_pivot_y) return 0.0;
@@ -63,6 +89,11 @@ std::optional<double> default_of(InverseNumber number) {
 }
 
 }  // namespace
+
+std::optional<double> return_angle(const CamSpec& spec) {
+    const Dimension* const back = spec.find(return_key);
+    return back == nullptr ? std::nullopt : std::optional(back->low);
+}
 
 CamKind inverse_kind() {
     CamKind kind;
@@ -76,7 +107,9 @@ CamKind inverse_kind() {
         const auto number = static_cast<InverseNumber>(i);
         feeder.numbers.push_back({"cam", name_of_number(number), true, default_of(number), 0.0, i});
     }
+    feeder.numbers.push_back({"cam", return_key});
     kind.variants = {feeder};
+    kind.add_given = with_return;
     kind.lift_remark = ", the stroke of its feeder";
     kind.has_rotation = false;
     kind.only_drd = true;

@@ -34,4 +34,7 @@ inline constexpr int inverse_number_count = 11;
 /// Inverse cams with a feeder, as scene files know them.
 [[nodiscard]] CamKind inverse_kind();
 
+/// Cam angle of the roller's return, rad, which a scene may give behind the numbers above.
+[[nodiscard]] std::optional<double> return_angle(const CamSpec& spec);
+
 }  // namespace camopt

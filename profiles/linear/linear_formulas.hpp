@@ -90,6 +90,7 @@ template <class T>
             return roller.normal_lever();
         case MechanismQuantity::cam_radius:
         case MechanismQuantity::contact_offset:
+        case MechanismQuantity::contact_radius:
             break;
     }
     refuse_quantity(linear_type);

@@ -27,6 +27,7 @@ struct QuantityFormula {
             case MechanismQuantity::cam_radius:
             case MechanismQuantity::contact_offset:
             case MechanismQuantity::normal_lever:
+            case MechanismQuantity::contact_radius:
                 break;
         }
         refuse_quantity(remote_type);

@@ -66,6 +66,7 @@ std::string dimension_fault(const SpatialCam& cam) {
     }
     if (!std::isfinite(cam.axial_offset) || !std::isfinite(cam.start))
         return "the axial_offset or the start is not a number";
+    if (!(cam.form.groove_clearance >= 0.0)) return "the groove_clearance is negative";
     return length_fault("roller_length", cam.roller_length, false);
 }
 
@@ -87,8 +88,10 @@ std::string far_end_fault(double radial) {
 SpatialCam::operator CamFlanks() const {
     CamFlanks flanks;
     flanks.rotation = rotation;
-    flanks.roller_radius = (*this)[roller_radius];
+    flanks.roller_radius = groove_radius();
     flanks.roller_length = roller_length;
+    flanks.clearance = form.groove_clearance;
+    flanks.body = form.body;
     flanks.start = start;
     flanks.swings = camopt::swings(follower);
     flanks.pivot = pivot_of(*this);
@@ -117,11 +120,31 @@ SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerSt
     SpatialPoint point;
     point.center = axis.foot + station.height * axis.direction;
     point.normal = side / speed * (motion.across_travel * across - motion.along_b * axis.travel);
-    point.contact = point.center + cam[roller_radius] * point.normal;
+    point.contact = point.center + cam.groove_radius() * point.normal;
     point.pressure_angle =
         std::atan2(motion.across_travel, spatial_formulas::sign_of_b(cam) * motion.along_b);
-    point.undercut = spatial_formulas::undercut(motion, cam[roller_radius], station.flank);
+    point.undercut = spatial_formulas::undercut(motion, cam.groove_radius(), station.flank);
+    point.contact_radius = spatial_formulas::contact_radius(cam, motion, cam[roller_radius], station.flank);
     return point;
+}
+
+DrumExtent drum_extent(const SpatialCam& cam, double least, double most) {
+    DrumExtent extent{HUGE_VAL, -HUGE_VAL, 0.0, 0.0};
+    const double low = cam.start + least, high = cam.start + most;
+    for (const double q : {low, high, std::clamp(0.0, low, high)}) {
+        const RollerAxis axis = standing_axis(cam, q);
+        const Vector3d ends[] = {axis.foot, axis.foot + cam.roller_length * axis.direction};
+        const double half_width = cam.groove_radius() * axis.direction.head<2>().norm();
+        for (const Vector3d& end : ends)
+            for (const double side : {1.0, -1.0}) {
+                const double z = end.z() + side * half_width;
+                extent.lower = std::min(extent.lower, z);
+                extent.upper = std::max(extent.upper, z);
+            }
+        extent.outer_radius = std::max(extent.outer_radius, ends[0].head<2>().norm());
+        extent.floor_radius = std::max(extent.floor_radius, ends[1].head<2>().norm());
+    }
+    return extent;
 }
 
 // Whether a spatial cam can be built: at rest, and over the whole range of its motion.

@@ -22,6 +22,17 @@
 // g > 0 and cut away beyond its edge g = 0. It is a local condition.
 //   g = 1 − r (L − 2FM)/W² − r² M²/W²,  F = V·e,  L = C_θθ·n,  M = e_θ·n.
 //
+// Groove wider than its roller. With the clearance c the flanks are offset by R = r + c/2 in place of r, in
+// all formulas above. The follower has the lost motion c / (lever cos φ) between them, where the lever is
+// ∂(A·u)/∂q'' (barrel r_i, rotating f_l + h, translating 1): of a whole roller the least along it.
+//
+// Loads. The flank with σ_f V_b > 0 pushes the follower on (side 0: F > 0), the other pulls it back. The
+// force along the normal is F / (lever cos φ). Roller and flank touch along a line that is inclined on the
+// roller by q = R M/W; across it their relative curvature is (1 + q²)/(R g) + 1/r − 1/R. A force N over the
+// length b of the roller loads b √(1 + q²) of the line, so p = √(N E* / (π b R_c)) with
+//   R_c = r R g √(1 + q²) / (r (1 + q²) + (R − r) g);   without clearance r g / √(1 + q²).
+// The whole force is taken to act at each station: the pressure of a load spread evenly lies between.
+//
 // s, s', s'' are by the cam angle: m, m/rad, m/rad² for the translating follower, else rad, 1, 1/rad.
 // Lengths m. Where W = 0 (the axis does not move across itself) n and g are not defined: NaN.
 // Sources: seeds 001 (OCRF) and 002 (barrel cam) with their formulas corrected (docs/papers).
@@ -52,9 +63,18 @@ struct SpatialPoint {
     Eigen::Vector3d normal;       ///< n, unit, from the roller's axis into the cam's material, cam frame
     double pressure_angle = 0.0;  ///< signed, rad; of both flanks
     double undercut = 0.0;        ///< g
+    double contact_radius = 0.0;  ///< R_c, m
 };
 [[nodiscard]] SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerState& state,
                                          const RollerStation& station);
+
+/// What a groove takes of its body where the follower moves from s = `least` to `most`; m. Along the axis the
+/// whole width of the groove at the roller's two ends; radii: largest of the roller's near and far end.
+struct DrumExtent {
+    double lower = 0.0, upper = 0.0;
+    double outer_radius = 0.0, floor_radius = 0.0;
+};
+[[nodiscard]] DrumExtent drum_extent(const SpatialCam& cam, double least, double most);
 
 /// Variables of the partials: (s, s', s'', dimensions by SpatialDimension).
 inline constexpr int spatial_variables = 3 + spatial_dimension_count;
@@ -92,7 +112,7 @@ inline constexpr int mechanism_heights = 3;
 
 /// The cam with these numbers, in the order of SpatialNumber.
 [[nodiscard]] SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation,
-                                     std::span<const double> numbers);
+                                     std::span<const double> numbers, const DrumForm& form = {});
 /// The same of a scene's cam; throws InputError for one of another type.
 [[nodiscard]] SpatialCam spatial_cam(const CamSpec& spec, std::span<const double> numbers);
 

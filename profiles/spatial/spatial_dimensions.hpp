@@ -25,9 +25,14 @@ struct SpatialDimensions {
     double axial_offset = 0.0;   ///< l2, dz, z0: shifts the cam along its axis and changes nothing else
     double start = 0.0;          ///< q = start + s; rad, m
     double roller_length = 0.0;  ///< stations 0 <= h <= roller_length
+    DrumForm form = {};
 
     [[nodiscard]] double operator[](SpatialDimension index) const {
         return dimensions[static_cast<std::size_t>(index)];
+    }
+    /// Half the width of the groove: from the roller's axis to either flank.
+    [[nodiscard]] double groove_radius() const {
+        return (*this)[SpatialDimension::roller_radius] + 0.5 * form.groove_clearance;
     }
     [[nodiscard]] double& operator[](SpatialDimension index) {
         return dimensions[static_cast<std::size_t>(index)];
@@ -38,7 +43,9 @@ struct SpatialDimensions {
 enum class SpatialQuantity {
     pressure_numerator,    ///< tan φ = numerator / denominator; m
     pressure_denominator,  ///< m; > 0 in a cam without geometry_fault
-    undercut               ///< g
+    undercut,              ///< g
+    normal_lever,          ///< force along the normal = F / lever or M / lever; m of a follower that swings
+    contact_radius         ///< of the Hertz pressure (spatial_cam.hpp); m
 };
 
 }  // namespace camopt

@@ -131,6 +131,45 @@ template <class T>
     return T(1.0 - side * roller_radius * terms.bend) - twisted * twisted;
 }
 
+/// Force or moment of the follower over the force along the normal.
+template <class T>
+[[nodiscard]] T normal_lever(const SpatialDimensions& cam, const AxisMotion<T>& m) {
+    using std::sqrt;
+    return sign_of_b(cam) * T(m.lever * m.along_b) /
+           T(sqrt(T(squared(m.across_travel) + squared(m.along_b))));
+}
+
+/// See spatial_cam.hpp.
+template <class T>
+[[nodiscard]] T contact_radius(const SpatialDimensions& cam, const AxisMotion<T>& m, const T& roller_radius,
+                               int flank) {
+    using std::sqrt;
+    const double wider = 0.5 * cam.form.groove_clearance;
+    const T groove_radius = roller_radius + T(wider), g = undercut(m, groove_radius, flank);
+    const T inclined = T(1.0) + squared(T(groove_radius * undercut_terms(m).twist));
+    return T(roller_radius * groove_radius) * T(g * sqrt(inclined)) /
+           T(T(roller_radius * inclined) + wider * g);
+}
+
+template <class T, class Height>
+[[nodiscard]] T quantity_of(const SpatialDimensions& cam, const Variables<T>& variables, const Height& height,
+                            int flank, SpatialQuantity which) {
+    const AxisMotion<T> motion = axis_motion(cam, variables, height);
+    switch (which) {
+        case SpatialQuantity::pressure_numerator:
+            return motion.across_travel;
+        case SpatialQuantity::pressure_denominator:
+            return sign_of_b(cam) * motion.along_b;
+        case SpatialQuantity::undercut:
+            return undercut(motion, T(variables.roller_radius + T(0.5 * cam.form.groove_clearance)), flank);
+        case SpatialQuantity::normal_lever:
+            return normal_lever(cam, motion);
+        case SpatialQuantity::contact_radius:
+            return contact_radius(cam, motion, variables.roller_radius, flank);
+    }
+    throw ModelError("spatial cam: no known quantity");
+}
+
 // The limits of barrel and cylindrical cams over a box of motions and dimensions, by these formulas.
 
 /// A location on the roller: its part of the roller's length, and the flank.
@@ -153,6 +192,9 @@ struct PressureLimit {
 /// margin − g times W³/(r · lever · |V_b|), with the lever of s'' in A·u: linear in s''.
 [[nodiscard]] RangeOver undercut_over(const SpatialDimensions& cam, const MechanismStateOver& state,
                                       const PlaceOnRoller& place, double margin);
+
+[[nodiscard]] RangeOver quantity_over(const SpatialDimensions& cam, const MechanismStateOver& state,
+                                      const PlaceOnRoller& place, SpatialQuantity which);
 
 /// Of a cam with its numbers, along a stretch of a motion.
 [[nodiscard]] RangeAlong quantity_along(const SpatialDimensions& cam, const MechanismStateAlong& state,

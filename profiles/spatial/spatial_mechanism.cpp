@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/quantity_text.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -8,6 +10,7 @@ namespace camopt {
 namespace {
 
 constexpr int station_count = 2 * mechanism_heights;
+constexpr double rounding = 1e-12;  // of a length that just fits
 
 /// From the roller's near end, as a part of its length: two stations per height, one per flank.
 double share_of(int station) {
@@ -15,8 +18,37 @@ double share_of(int station) {
     return static_cast<double>(height) / (mechanism_heights - 1);
 }
 
+int flank_of(int station) {
+    return station % 2 == 0 ? 1 : -1;
+}
+
 RollerStation station_of(const SpatialCam& cam, int station) {
-    return {share_of(station) * cam.roller_length, station % 2 == 0 ? 1 : -1};
+    return {share_of(station) * cam.roller_length, flank_of(station)};
+}
+
+/// A number of the body that the groove does not fit. `passes`: rollers come in and leave by its ends.
+std::optional<SceneFault> body_fault(const SpatialCam& cam, const DrumExtent& groove, bool passes,
+                                     LengthUnit unit) {
+    const DrumBody& body = cam.form.body;
+    const auto text = [unit](double length) { return length_text(length, unit); };
+    if (passes && body.wall)
+        return SceneFault{"cam.groove_wall", "a wall at the ends of a cam whose rollers leave by them",
+                          "leave it out"};
+    if (passes && body.diameter && cam.follower == SpatialFollower::cylindrical_rotating)
+        return SceneFault{"cam.body_diameter", "the diameter of a body that is turned to an arc",
+                          "leave it out: its outside follows the rollers' near ends"};
+    const double floor = 2.0 * groove.floor_radius, outside = 2.0 * groove.outer_radius;
+    if (body.diameter && !(*body.diameter > floor && *body.diameter <= outside * (1.0 + rounding)))
+        return SceneFault{
+            "cam.body_diameter", text(*body.diameter),
+            fmt::format("above {}, on which the roller's far end runs, and at most {}, its near end",
+                        text(floor), text(outside))};
+    const double needed = groove.upper - groove.lower + 2.0 * body.wall.value_or(0.0);
+    if (!passes && body.length && !(*body.length >= needed * (1.0 - rounding)))
+        return SceneFault{"cam.body_length", text(*body.length),
+                          fmt::format("at least {}, the length of the groove{}", text(needed),
+                                      body.wall ? " and its two walls" : "")};
+    return {};
 }
 
 /// Slopes of the variables of spatial_quantity by one number of the mechanism. The station's height enters
@@ -49,8 +81,8 @@ Eigen::Matrix<double, spatial_variables, 1> direction_of(const SpatialCam& cam, 
 
 class SpatialMechanism final : public CamMechanism, public LimitStructure, public MechanismEnclosures {
  public:
-    SpatialMechanism(SpatialFollower follower, Rotation rotation)
-        : follower_(follower), rotation_(rotation) {}
+    SpatialMechanism(SpatialFollower follower, Rotation rotation, DrumForm form)
+        : follower_(follower), rotation_(rotation), form_(form) {}
 
     [[nodiscard]] std::string type() const override {
         return follower_ == SpatialFollower::barrel ? barrel_type : cylindrical_type;
@@ -73,6 +105,16 @@ class SpatialMechanism final : public CamMechanism, public LimitStructure, publi
     [[nodiscard]] int roller_radius_at(int) const override {
         return static_cast<int>(SpatialNumber::roller_radius);
     }
+    [[nodiscard]] double surface_offset(std::span<const double> dimensions, int) const override {
+        return cam(dimensions).groove_radius();
+    }
+    [[nodiscard]] bool carries_load() const override { return true; }
+    [[nodiscard]] int side_of(int station) const override {
+        return flank_of(station) * spatial_formulas::sign_of_b(sort()) > 0.0 ? 0 : 1;
+    }
+    [[nodiscard]] std::string side_name(int side) const override {
+        return side_of(0) == side ? "flank +" : "flank -";
+    }
     [[nodiscard]] const LimitStructure& limit_structure() const override { return *this; }
     [[nodiscard]] const MechanismEnclosures* enclosures() const override { return this; }
     [[nodiscard]] double length(std::span<const double> dimensions) const override {
@@ -81,6 +123,17 @@ class SpatialMechanism final : public CamMechanism, public LimitStructure, publi
     [[nodiscard]] std::string fault(std::span<const double> dimensions, double least,
                                     double most) const override {
         return geometry_fault(cam(dimensions), least, most);
+    }
+    /// And a body that holds the groove, with every dimension in its middle.
+    [[nodiscard]] std::optional<SceneFault> find_fault(const CamSpec& spec,
+                                                       const MotionSpec& motion) const override {
+        if (auto found = CamMechanism::find_fault(spec, motion)) return found;
+        const auto [least, most] = motion.displacements();
+        const bool passes = swings() && (motion.type == MotionType::drd || motion.relative);
+        const SpatialCam own = cam(spec.middle());
+        const bool inches = spec.find(name_of_number(SpatialNumber::roller_radius))->unit == units::inch;
+        return body_fault(own, drum_extent(own, least, most), passes,
+                          inches ? LengthUnit::inch : LengthUnit::millimetre);
     }
 
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
@@ -136,6 +189,12 @@ class SpatialMechanism final : public CamMechanism, public LimitStructure, publi
         return spatial_formulas::undercut_over(sort(), state, place_on_roller(station), margin);
     }
 
+    [[nodiscard]] std::optional<RangeOver> quantity_over(MechanismQuantity which,
+                                                         const MechanismStateOver& state,
+                                                         int station) const override {
+        if (which == MechanismQuantity::pitch_curvature) return {};
+        return spatial_formulas::quantity_over(sort(), state, place_on_roller(station), quantity_of(which));
+    }
     [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                            const MechanismStateAlong& state,
                                                            int station) const override {
@@ -170,6 +229,7 @@ class SpatialMechanism final : public CamMechanism, public LimitStructure, publi
         point.pressure_angle = found.pressure_angle;
         point.pitch_curvature = point.cam_radius = std::numeric_limits<double>::quiet_NaN();
         point.regularity = found.undercut;
+        point.contact_radius = found.contact_radius;
         return point;
     }
     [[nodiscard]] std::optional<CamFlanks> flanks(std::span<const double> dimensions) const override {
@@ -178,23 +238,26 @@ class SpatialMechanism final : public CamMechanism, public LimitStructure, publi
 
  private:
     static spatial_formulas::PlaceOnRoller place_on_roller(int station) {
-        return {share_of(station), station % 2 == 0 ? 1 : -1};
+        return {share_of(station), flank_of(station)};
     }
     /// What it is without its numbers.
     [[nodiscard]] SpatialCam sort() const {
         SpatialCam cam;
         cam.follower = follower_;
         cam.rotation = rotation_;
+        cam.form = form_;
         return cam;
     }
     static SpatialQuantity quantity_of(MechanismQuantity which) {
         if (which == MechanismQuantity::pressure_numerator) return SpatialQuantity::pressure_numerator;
         if (which == MechanismQuantity::pressure_denominator) return SpatialQuantity::pressure_denominator;
+        if (which == MechanismQuantity::normal_lever) return SpatialQuantity::normal_lever;
+        if (which == MechanismQuantity::contact_radius) return SpatialQuantity::contact_radius;
         if (which != MechanismQuantity::regularity) refuse_quantity("spatial");
         return SpatialQuantity::undercut;
     }
     [[nodiscard]] SpatialCam cam(std::span<const double> numbers) const {
-        return spatial_cam(follower_, rotation_, numbers);
+        return spatial_cam(follower_, rotation_, numbers, form_);
     }
 
     /// Of a slide it is linear. Of a barrel cam it is, with the index's angle ψ,
@@ -214,11 +277,13 @@ class SpatialMechanism final : public CamMechanism, public LimitStructure, publi
 
     SpatialFollower follower_;
     Rotation rotation_;
+    DrumForm form_;
 };
 
 }  // namespace
 
-SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation, std::span<const double> numbers) {
+SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation, std::span<const double> numbers,
+                       const DrumForm& form) {
     const auto number = [&](SpatialNumber which) { return numbers[static_cast<std::size_t>(which)]; };
     SpatialCam cam;
     cam.follower = follower;
@@ -228,11 +293,12 @@ SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation, std::span<co
     cam.axial_offset = number(SpatialNumber::axial_offset);
     cam.roller_length = number(SpatialNumber::roller_length);
     cam.start = number(SpatialNumber::start);
+    cam.form = form;
     return cam;
 }
 
 SpatialCam spatial_cam(const CamSpec& spec, std::span<const double> numbers) {
-    return spatial_cam(spatial_follower(spec), spec.rotation, numbers);
+    return spatial_cam(spatial_follower(spec), spec.rotation, numbers, drum_form(spec));
 }
 
 CamSpec spatial_spec(SpatialFollower follower) {
@@ -242,7 +308,7 @@ CamSpec spatial_spec(SpatialFollower follower) {
 }
 
 std::shared_ptr<const CamMechanism> spatial_mechanism(const CamSpec& spec) {
-    return std::make_shared<SpatialMechanism>(spatial_follower(spec), spec.rotation);
+    return std::make_shared<SpatialMechanism>(spatial_follower(spec), spec.rotation, drum_form(spec));
 }
 
 }  // namespace camopt

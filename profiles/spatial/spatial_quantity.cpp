@@ -35,16 +35,7 @@ SpatialValue spatial_quantity(const SpatialCam& cam, const FollowerState& state,
         variable(cam[arm_length], column_of(arm_length)),
         variable(cam[center_distance], column_of(center_distance)),
         variable(cam[lateral_offset], column_of(lateral_offset))};
-    const auto motion = spatial_formulas::axis_motion(cam, variables, station.height);
-    switch (which) {
-        case SpatialQuantity::pressure_numerator:
-            return expanded(motion.across_travel);
-        case SpatialQuantity::pressure_denominator:
-            return expanded(spatial_formulas::sign_of_b(cam) * motion.along_b);
-        case SpatialQuantity::undercut:
-            return expanded(spatial_formulas::undercut(motion, variables.roller_radius, station.flank));
-    }
-    throw ModelError("spatial cam: no known quantity");
+    return expanded(spatial_formulas::quantity_of(cam, variables, station.height, station.flank, which));
 }
 
 }  // namespace camopt
@@ -114,7 +105,7 @@ RangeOver undercut_over(const SpatialDimensions& cam, const MechanismStateOver& 
     const RangeOver speed_squared = squared(still.across_travel) + squared(still.along_b);
     const RangeOver turn = still.turn_b * still.across_travel - still.turn_u * still.along_b;
     const RangeOver tilt = still.tilt_b * still.across_travel - still.tilt_u * still.along_b;
-    const RangeOver& radius = variables.roller_radius;
+    const RangeOver radius = variables.roller_radius + RangeOver(0.5 * cam.form.groove_clearance);
     const double side = place.flank > 0 ? 1.0 : -1.0;
     const RangeOver room = (margin - 1.0) * (cube_of_root(speed_squared) / radius) +
                            side * (turn - 2.0 * (still.along_axis * tilt)) +
@@ -123,16 +114,18 @@ RangeOver undercut_over(const SpatialDimensions& cam, const MechanismStateOver& 
     return room / (still.lever * size) - side * (sign * state.acceleration);
 }
 
+RangeOver quantity_over(const SpatialDimensions& cam, const MechanismStateOver& state,
+                        const PlaceOnRoller& place, SpatialQuantity which) {
+    return quantity_of(cam, variables_over(state), height_over(state, place), place.flank, which);
+}
+
 RangeAlong quantity_along(const SpatialDimensions& cam, const MechanismStateAlong& state,
                           const RollerStation& station, SpatialQuantity which) {
     using enum SpatialDimension;
     const Variables<RangeAlong> variables{cam.start + state.s, state.velocity,  state.acceleration,
                                           cam[roller_radius],  cam[arm_length], cam[center_distance],
                                           cam[lateral_offset]};
-    const AxisMotion<RangeAlong> motion = axis_motion(cam, variables, station.height);
-    if (which == SpatialQuantity::pressure_numerator) return motion.across_travel;
-    if (which == SpatialQuantity::pressure_denominator) return sign_of_b(cam) * motion.along_b;
-    return undercut(motion, variables.roller_radius, station.flank);
+    return quantity_of(cam, variables, station.height, station.flank, which);
 }
 
 }  // namespace camopt::spatial_formulas

@@ -23,6 +23,33 @@ const char* name_of_number(SpatialNumber value) {
     return names[static_cast<std::size_t>(value)];
 }
 
+namespace {
+
+constexpr std::array<const char*, 4> form_keys = {"groove_clearance", "groove_wall", "body_diameter",
+                                                  "body_length"};
+
+/// Those that a scene gives, behind its numbers.
+CamSpec with_form(CamSpec spec, const std::map<std::string, double>& given) {
+    for (const char* const key : form_keys)
+        if (const auto found = given.find(key); found != given.end()) {
+            CamDimension dimension{key, Dimension(found->second), false};
+            dimension.value.key = fmt::format("cam.{}_mm", key);
+            spec.dimensions.push_back(std::move(dimension));
+        }
+    return spec;
+}
+
+}  // namespace
+
+DrumForm drum_form(const CamSpec& spec) {
+    const auto given = [&](const char* key) {
+        const Dimension* const found = spec.find(key);
+        return found == nullptr ? std::nullopt : std::optional(found->low);
+    };
+    return {given("groove_clearance").value_or(0.0),
+            {given("body_diameter"), given("body_length"), given("groove_wall")}};
+}
+
 CamSpec blank_spatial_spec(SpatialFollower follower) {
     CamSpec spec;
     spec.type = follower == barrel ? barrel_type : cylindrical_type;
@@ -75,6 +102,14 @@ std::vector<KeyRow> spatial_rows() {
          "Of the follower along the cam's axis; shifts the cam and changes no limit."},
         {"cam", "start_angle", number, angle, any, {}, "minus half the lift",
          "Angle of the index arm or the rotating follower from the line through both axes at displacement 0."},
+        {"cam", "groove_clearance", number, length, not_negative, {}, "0",
+         "Drums: width of the groove less the roller's diameter, half of it on either side."},
+        {"cam", "groove_wall", number, length, positive, {}, "the roller radius",
+         "Drums: least wall between the groove and either end of the body; not where rollers leave by its ends."},
+        {"cam", "body_diameter", number, length, positive, {}, "up to the roller's near end",
+         "Of the drum's cylindrical outside: between the far and the near end of the roller."},
+        {"cam", "body_length", number, length, positive, {}, "the groove and both walls",
+         "Of the drum along its axis; the groove lies in its middle."},
     };
 }
 // clang-format on
@@ -109,6 +144,7 @@ CamVariant variant(SpatialFollower follower) {
                    {},
                    [follower] { return blank_spatial_spec(follower); }};
     for (int i = 0; i < spatial_number_count; ++i) all.numbers.push_back(number_of(follower, i));
+    for (const char* const key : form_keys) all.numbers.push_back({"cam", key});
     // Keys of the other followers.
     for (const char* key : {"cylinder_radius", "center_distance", "arm_length", "start_angle"})
         if (std::ranges::find(all.numbers, key, &CamNumber::key) == all.numbers.end())
@@ -122,7 +158,8 @@ CamKind kind_of(const char* type, std::vector<CamVariant> variants) {
     kind.variants = std::move(variants);
     kind.with_angle = "\"rotating\"";
     kind.with_length = "a cylindrical cam with a \"translating\" follower";
-    kind.outputs = {CamOutput::solid, CamOutput::program};
+    kind.outputs = {CamOutput::sheet, CamOutput::solid, CamOutput::program};
+    kind.add_given = with_form;
     return kind;
 }
 

@@ -3,7 +3,7 @@
 // (profiles/spatial).
 #pragma once
 
-#include "scene/cam_spec.hpp"
+#include "scene/cam_flanks.hpp"
 
 namespace camopt {
 
@@ -34,10 +34,18 @@ enum class SpatialNumber {
 inline constexpr int spatial_number_count = 7;
 [[nodiscard]] const char* name_of_number(SpatialNumber value);  ///< "roller_radius", …
 
+/// How a drum is made, beside the numbers above; m. What a scene gives of it follows them in the dimensions
+/// of its CamSpec.
+struct DrumForm {
+    double groove_clearance = 0.0;  ///< width of the groove less the roller's diameter, half on either side
+    DrumBody body = {};
+};
+
 /// A cam of this kind with every number at 0 and without formulas (spatial_spec of spatial_cam.hpp adds
 /// them); type "barrel" or "cylindrical", the latter with the
 /// choice "follower" = "rotating" or "translating".
 [[nodiscard]] CamSpec blank_spatial_spec(SpatialFollower follower);
+[[nodiscard]] DrumForm drum_form(const CamSpec& spec);
 /// Back again; throws InputError for a spec of another type.
 [[nodiscard]] SpatialFollower spatial_follower(const CamSpec& spec);
 

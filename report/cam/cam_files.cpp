@@ -48,9 +48,14 @@ std::string text_of(const CamFileRow& row, const View& view, const CamFileOption
 std::vector<CamFile> cam_file_list(const Solution& solution) {
     std::vector<CamFile> files;
     for (const CamFileRow& row : rows_of(solution)) files.push_back({row.view, row.name, row.title, ""});
-    if (!files.empty() && is_loaded(solution.cam->summary))
+    if (solution.cam && is_loaded(solution.cam->summary))
         files.push_back({force_file.view, force_file.name, force_file.title, ""});
     return files;
+}
+
+bool has_cam_table(const Solution& solution) {
+    return std::ranges::any_of(rows_of(solution),
+                               [](const CamFileRow& row) { return row.view == CamView::table; });
 }
 
 std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options) {

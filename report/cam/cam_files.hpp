@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The files of a delivered plane cam, of any kind, as texts: its points and its pictures. Their names are in
+// The files of a delivered cam, of any kind, as texts: its points and its pictures. Their names are in
 // the rows of view/cam_presentation.cpp.
 //
-//   disk     profile.csv, profile.svg, profile_diagrams.svg; with forces forces.svg
+//   disk     profile.csv, profile.svg, profile_diagrams.svg
 //   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg
 //   inverse  guide.csv, guide.svg, pressure_angle.svg
+//   any      with forces forces.svg
 // The columns of profile.csv and guide.csv stand in csv/motion_csv.hpp.
 #pragma once
 
@@ -33,6 +34,9 @@ struct CamFileOptions {
 
 /// The text of the one that shows this. Throws InputError where the solution has no plane cam.
 [[nodiscard]] std::string cam_view(const View& view, CamView shown, const CamFileOptions& options = {});
+
+/// There is a table of the points of its outline.
+[[nodiscard]] bool has_cam_table(const Solution& solution);
 
 /// The same without their texts.
 [[nodiscard]] std::vector<CamFile> cam_file_list(const Solution& solution);

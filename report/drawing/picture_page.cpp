@@ -109,17 +109,28 @@ void add_dimensions(LegendColumn& column, const Solution& solution) {
         column.value(words_of(dimension.name), dimension.text);
 }
 
-void add_figures(LegendColumn& column, const Solution& solution) {
+namespace {
+
+std::vector<CamFigure> drawn_figures(const Solution& solution, DrawnFigures which) {
+    std::vector<CamFigure> figures = cam_figures(solution);
+    if (which == DrawnFigures::of_whole_cam)  // those of a side begin with its name
+        std::erase_if(figures, [](const CamFigure& one) { return one.name.find(": ") != std::string::npos; });
+    return figures;
+}
+
+}  // namespace
+
+void add_figures(LegendColumn& column, const Solution& solution, DrawnFigures which) {
     column.heading("figures");
-    for (const CamFigure& figure : cam_figures(solution)) {
+    for (const CamFigure& figure : drawn_figures(solution, which)) {
         column.words(figure.name);
         column.value("", figure.degrees.empty() ? figure.value
                                                 : fmt::format("{} at {}°", figure.value, figure.degrees));
     }
 }
 
-int figure_entries(const Solution& solution) {
-    return static_cast<int>(cam_dimensions(solution).size() + 2 * cam_figures(solution).size());
+int figure_entries(const Solution& solution, DrawnFigures which) {
+    return static_cast<int>(cam_dimensions(solution).size() + 2 * drawn_figures(solution, which).size());
 }
 
 void add_opening(LegendColumn& column, const Solution& solution) {

@@ -46,10 +46,11 @@ class LegendColumn {
 
 /// The dimensions of the solution's cam.
 void add_dimensions(LegendColumn& column, const Solution& solution);
-/// Its figures with their cam angles.
-void add_figures(LegendColumn& column, const Solution& solution);
+/// Its figures with their cam angles; those of either side too, or of the whole cam alone.
+enum class DrawnFigures { all, of_whole_cam };
+void add_figures(LegendColumn& column, const Solution& solution, DrawnFigures which = DrawnFigures::all);
 /// Entries that both take, without the headings.
-[[nodiscard]] int figure_entries(const Solution& solution);
+[[nodiscard]] int figure_entries(const Solution& solution, DrawnFigures which = DrawnFigures::all);
 /// That the cam is open, and why.
 void add_opening(LegendColumn& column, const Solution& solution);
 

@@ -156,13 +156,14 @@ Json cam_json(const Solution& solution) {
         if (has_it && (direct || !row.of_direct_cams)) writer.add(json, row, summary);
     }
     json["undercut"] = summary.undercut();
-    if (direct) {
+    const bool loaded = direct || summary.forces;
+    if (loaded)
         json["no_contact_at_deg"] = summary.no_contact ? writer.degrees(*summary.no_contact) : Json(nullptr);
+    if (direct)
         json["smallest"] = smallest_json(writer, cam.smallest);
-        json["forces"] = forces_json(writer, summary.forces);
-    } else {
+    else
         json["base_radius_mm"] = number_json(writer.units.length.of(summary.base_radius));
-    }
+    if (loaded) json["forces"] = forces_json(writer, summary.forces);
     if (!summary.sides.empty()) json["sides"] = sides_json(writer, summary.sides);
     json["dimensions"] = exact_dimensions_json(spec, cam.cam.dimensions);
     Json& check = json["forward_check"];

@@ -5,6 +5,7 @@
 #include "report/view/cam_presentation.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/key_words.hpp"
+#include "scene/cam_flanks.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
@@ -119,6 +120,23 @@ std::string rest_of_the_turn(const Solution& solution) {
         short_text(degrees_shown.of(angle)));
 }
 
+/// Of an inverse cam whose roller has its own time for the way back.
+std::string return_remark(const Solution& solution) {
+    const DrivenMechanism& cam = solution.cam->cam;
+    const std::optional<RollerGuide> guide = cam.formulas->guide(cam.dimensions);
+    if (!guide || !guide->return_rate) return {};
+    const double rate = *guide->return_rate;
+    const ShownUnits shown = shown_units(solution.scene);
+    const Peaks& peaks = solution.motion_peaks;
+    return fmt::format(
+        "On the way back the roller is {} times as fast and the output runs this curve backwards: velocity "
+        "{} at "
+        "most, acceleration {}, jerk {}.",
+        short_text(rate, 6), shown.motion[1].first.normalised_text(rate * peaks.velocity.value),
+        shown.motion[2].first.normalised_text(rate * rate * peaks.acceleration.value),
+        shown.motion[3].first.normalised_text(rate * rate * rate * peaks.jerk.value));
+}
+
 constexpr int force_samples = 3600;  // over the motion, for changes of sign
 constexpr int force_bisections = 50;
 constexpr double no_force = 1e-9;       // of the largest
@@ -230,11 +248,14 @@ std::string play_remark(const Solution& solution, const ForwardCheckReport::Play
         "{} (at {} deg) to {} (at {} deg)", shown.motion[0].first.text(play.least, check_digits),
         degrees_at(solution, play.least_at), shown.motion[0].first.text(play.largest, check_digits),
         degrees_at(solution, play.largest_at));
-    if (!play.least_groove_width)
-        return fmt::format("Both rollers at once: the sum of the gaps at both disks is {}.", range);
     const DrivenMechanism& cam = solution.cam->cam;
     const double roller = cam.dimensions[cam.formulas->roller_radius()];
     const double clearance = 2.0 * (cam.formulas->surface_offset(cam.dimensions, 0) - roller);
+    if (!cam.formulas->radius_quantity())
+        return fmt::format("Lost motion of the follower between the flanks, {} of clearance: {}.",
+                           shown.length.text(clearance), range);
+    if (!play.least_groove_width)
+        return fmt::format("Both rollers at once: the sum of the gaps at both disks is {}.", range);
     const bool fits = *play.least_groove_width >= 2.0 * roller * (1.0 - moves_as_designed);
     return fmt::format(
         "The groove is {} wide where it is narrowest, the roller {}: it {}. Play of the follower, "
@@ -250,6 +271,7 @@ std::vector<std::string> cam_remarks(const Solution& solution) {
     std::vector<std::string> all = {undercut_remark(solution), limited_remark(solution)};
     if (cam.smallest) all.push_back(smallest_remark(solution, *cam.smallest));
     all.push_back(rest_of_the_turn(solution));
+    all.push_back(return_remark(solution));
     if (cam.summary.forces) all.push_back(lift_off_remark(solution, *cam.summary.forces));
     if (cam.forward_check) all.push_back(check_remark(solution, *cam.forward_check));
     if (cam.forward_check && cam.forward_check->play)

@@ -184,7 +184,7 @@ void add_cam(std::vector<Section>& sections, const Solution& solution) {
     for (const CamFile& file : cam_file_list(solution))
         if (!file.title.empty())
             remarks.pictures.push_back({file.name.substr(0, file.name.rfind('.')), file.title});
-    if (remarks.pictures.empty())
+    if (!has_cam_table(solution))
         remarks.say(Kind::remark, "export",
                     {"camopt export writes its flanks as points, surfaces and a solid, and the NC program."},
                     Where::markdown);

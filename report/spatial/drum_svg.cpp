@@ -39,12 +39,12 @@ FlankGrid drum_grid(const CamFlanks& cam, const FollowerMotion& motion, int sect
     return flank_grid(cam, motion, {sections, drum_angles, 0.0, 0.0});
 }
 
-struct DrumSize {
+struct DrumCore {
     double least_radius = HUGE_VAL, lower = HUGE_VAL, upper = -HUGE_VAL;
 };
 
-DrumSize size_of(const FlankGrid& grid) {
-    DrumSize size;
+DrumCore core_size(const FlankGrid& grid) {
+    DrumCore size;
     for (const FlankSurface& flank : grid.flanks)
         for (const Vector3d& point : flank.points) {
             size.least_radius = std::min(size.least_radius, std::hypot(point.x(), point.y()));
@@ -54,9 +54,10 @@ DrumSize size_of(const FlankGrid& grid) {
     return size;
 }
 
-/// A tube with the groove's floor as its outside.
-TriangleMesh core_of(const DrumSize& size, double beyond) {
-    const double low = size.lower - beyond, high = size.upper + beyond;
+/// A tube with the groove's floor as its outside, as long as the body.
+TriangleMesh core_of(const DrumCore& size, const DrumBody& given, double wall) {
+    const DrumSize body = body_around({0.0, size.lower, size.upper}, given, wall);
+    const double low = body.lower, high = body.upper;
     std::vector<std::vector<Vector3d>> sections;
     for (int k = 0; k < drum_corners; ++k) {
         const double angle = units::turn * k / drum_corners;
@@ -149,7 +150,7 @@ std::vector<PaintedMesh> drum_parts(const CamFlanks& cam, const FollowerMotion& 
         if (auto body = drawn_indexing_body(cam, motion, {180, 4}))
             return painted_indexing_cam(std::move(*body), holding_rollers(cam, motion));
     std::vector<PaintedMesh> parts = {
-        {core_of(size_of(grid), 0.5 * grid.roller_radius), core_colour, MeshPlace::revolved}};
+        {core_of(core_size(grid), cam.body, 0.5 * grid.roller_radius), core_colour, MeshPlace::revolved}};
     for (const SurfaceGrid& flank : flank_surfaces(grid))
         parts.push_back({both_sides(mesh_of(flank)), flank_colour, MeshPlace::around_revolved});
     return parts;
@@ -178,14 +179,14 @@ std::string drum_svg(const Drum& drum) {
     canvas.text(picture_left + picture_frame_width - 10, picture_top + picture_frame_height - 12,
                 "parallel projection, cam angle 0", "end");
     const bool ribs = indexes(drum.cam, drum.motion);
-    LegendColumn column(canvas, 8 + figure_entries(drum.solution));
+    LegendColumn column(canvas, 8 + figure_entries(drum.solution, DrawnFigures::of_whole_cam));
     if (!ribs) column.sample("hub", "core");
     column.sample("rib", ribs ? "cam" : "both flanks of the groove");
     if (ribs) column.sample("rollers", "rollers that hold its rib");
     column.heading("dimensions");
     add_dimensions(column, drum.solution);
     column.words(fmt::format("turns {}", name_of(drum.cam.rotation)));
-    add_figures(column, drum.solution);
+    add_figures(column, drum.solution, DrawnFigures::of_whole_cam);
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }
@@ -249,7 +250,7 @@ std::string developed_svg(const Drum& drum) {
         drawing, place, std::array<std::string_view, 5>{"plus", "plus-deep", "minus", "minus-deep", "axis"});
     labels.draw(canvas, words, places_around(peak.x(), peak.y(), text_width(words, font, true), font),
                 "peak-label", font, true);
-    LegendColumn column(canvas, 9 + figure_entries(drum.solution));
+    LegendColumn column(canvas, 9 + figure_entries(drum.solution, DrawnFigures::of_whole_cam));
     column.sample("plus", "one flank, outer end");
     column.sample("plus-deep", "at the inner end");
     column.sample("minus", "other flank, outer end");
@@ -257,7 +258,7 @@ std::string developed_svg(const Drum& drum) {
     column.sample("axis", "way of the roller's axis");
     column.heading("dimensions");
     add_dimensions(column, drum.solution);
-    add_figures(column, drum.solution);
+    add_figures(column, drum.solution, DrawnFigures::of_whole_cam);
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }

@@ -56,7 +56,7 @@ constexpr double closed_groove = 1e-9;  // of the lift: the follower is where it
 constexpr IndexingBodyOptions scene_body{120, 3};
 // Choices of drawing: of the roller's radius beyond the groove, of the least radius of the flanks.
 constexpr double beyond_groove = 1.0, bore_share = 0.35, core_share = 0.98;
-constexpr int core_corners = 72;
+constexpr int core_corners = 72, outside_halvings = 40;
 
 struct Extent {
     double least_radius = HUGE_VAL, largest_radius = 0.0, lower = HUGE_VAL, upper = -HUGE_VAL;
@@ -82,24 +82,57 @@ TriangleMesh tube(double inner, double outer, double lower, double upper) {
     return swept_solid(sections, true);
 }
 
-std::vector<CamScene::Part> grooved_parts(const CamFlanks& cam, const FollowerMotion& motion) {
-    const FlankGrid grid = flank_grid(cam, motion, {scene_heights, scene_angles, 0.0, 0.0});
+struct Groove {
+    FlankGrid grid;
     Extent extent;
-    for (const FlankSurface& flank : grid.flanks) widen(extent, flank.points);
-    const double margin = beyond_groove * cam.roller_radius;
-    const double lower = extent.lower - margin, upper = extent.upper + margin;
-    const double bore = bore_share * extent.least_radius;
-    const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
-    if (is_whole_turn(motion.end() - motion.begin()) && std::abs(advance) < closed_groove)
-        return {{"drum", grooved_cam(grid, {bore, extent.largest_radius, lower, upper}), true}};
+    DrumSize body;
+    double bore = 0.0;
+};
+
+Groove groove_of(const CamFlanks& cam, const FollowerMotion& motion, const FlankSampling& sampling) {
+    Groove groove;
+    groove.grid = flank_grid(cam, motion, sampling);
+    Extent& extent = groove.extent;
+    for (const FlankSurface& flank : groove.grid.flanks) widen(extent, flank.points);
+    groove.body = body_around({extent.largest_radius, extent.lower, extent.upper}, cam.body,
+                              beyond_groove * cam.roller_radius);
+    groove.bore = cam.body.bore ? 0.5 * *cam.body.bore : bore_share * extent.least_radius;
+    return groove;
+}
+
+std::vector<CamScene::Part> grooved_parts(const CamFlanks& cam, const FollowerMotion& motion) {
+    const FlankSampling sampling{scene_heights, scene_angles, 0.0, 0.0};
+    if (groove_closes(motion)) return {{"drum", drum_solid(cam, motion, sampling), true}};
+    const Groove groove = groove_of(cam, motion, sampling);
     std::vector<CamScene::Part> parts = {
-        {"core", tube(bore, core_share * extent.least_radius, lower, upper), true}};
-    for (const SurfaceGrid& flank : flank_surfaces(grid))
+        {"core",
+         tube(groove.bore, core_share * groove.extent.least_radius, groove.body.lower, groove.body.upper),
+         true}};
+    for (const SurfaceGrid& flank : flank_surfaces(groove.grid))
         parts.push_back({flank.name, mesh_of(flank), false});
     return parts;
 }
 
 }  // namespace
+
+void cut_at_outside(FlankGrid& grid, const CamFlanks& cam, const FollowerMotion& motion, double radius) {
+    for (std::size_t j = 0; j < grid.angles.size(); ++j)
+        for (FlankSurface& flank : grid.flanks) {
+            const FollowerState state = motion.state(grid.angles[j]);
+            const auto at = [&](double height) {
+                return cam.point(grid.angles[j], state, {height, flank.flank});
+            };
+            const auto inside = [&](double height) { return at(height).contact.head<2>().norm() <= radius; };
+            const double top =
+                inside(0.0) ? 0.0 : bisected(inside, {cam.roller_length, 0.0}, outside_halvings).with;
+            for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+                const double share = grid.heights[i] / cam.roller_length;
+                const FlankPoint point = at(top + share * (cam.roller_length - top));
+                flank.points[grid.index(i, j)] = point.contact;
+                flank.normals[grid.index(i, j)] = -point.normal;
+            }
+        }
+}
 
 std::array<SurfaceGrid, 2> flank_surfaces(const FlankGrid& grid) {
     std::array<SurfaceGrid, 2> surfaces;
@@ -129,6 +162,17 @@ TriangleMesh groove_body(const FlankGrid& grid) {
     return swept_solid(sections, false);
 }
 
+bool groove_closes(const FollowerMotion& motion) {
+    const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
+    return is_whole_turn(motion.end() - motion.begin()) && std::abs(advance) < closed_groove;
+}
+
+TriangleMesh drum_solid(const CamFlanks& cam, const FollowerMotion& motion, const FlankSampling& sampling) {
+    Groove groove = groove_of(cam, motion, sampling);
+    cut_at_outside(groove.grid, cam, motion, groove.body.radius);
+    return grooved_cam(groove.grid, {groove.bore, groove.body.radius, groove.body.lower, groove.body.upper});
+}
+
 TriangleMesh grooved_cam(const FlankGrid& grid, const GroovedBlank& blank) {
     check_closed(grid);
     check_blank(grid, blank);
@@ -152,7 +196,7 @@ TriangleMesh grooved_cam(const FlankGrid& grid, const GroovedBlank& blank) {
 
 CamScene cam_scene(const CamFlanks& cam, const FollowerMotion& motion, std::span<const double> angles) {
     CamScene scene;
-    scene.roller_radius = cam.roller_radius;
+    scene.roller_radius = cam.roller_radius - 0.5 * cam.clearance;
     scene.roller_length = cam.roller_length;
     scene.pivot = cam.pivot;
     double pitch = 0.0;

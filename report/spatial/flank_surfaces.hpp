@@ -11,6 +11,10 @@ namespace camopt {
 /// σ_f = +1, then −1; u the cam angle in rad, v the height h in m, breaks those of the motion.
 [[nodiscard]] std::array<SurfaceGrid, 2> flank_surfaces(const FlankGrid& grid);
 
+/// Of a groove whose body is turned to this radius: its sections then lie evenly along the roller from where
+/// each flank leaves the outside, or from its near end where that lies within, to its far end.
+void cut_at_outside(FlankGrid& grid, const CamFlanks& cam, const FollowerMotion& motion, double radius);
+
 /// CSV: flank, h_mm, theta_deg, x_mm, y_mm, z_mm, nx, ny, nz (out of the material); a line a point, numbers
 /// that read back as the same doubles.
 [[nodiscard]] std::string flank_csv(const FlankGrid& grid);
@@ -32,6 +36,15 @@ struct GroovedBlank {
 /// blank's rim; the floor is straight across. Throws InputError for an open groove and a blank that does not
 /// hold it.
 [[nodiscard]] TriangleMesh grooved_cam(const FlankGrid& grid, const GroovedBlank& blank);
+
+/// The motion takes a turn and ends where it begins.
+[[nodiscard]] bool groove_closes(const FollowerMotion& motion);
+
+/// The same with the body that the scene gives or, where it says nothing, a wall of the roller's radius at
+/// its ends, an outside up to the roller's near end and a bore of a third of the groove's least radius. The
+/// groove closes.
+[[nodiscard]] TriangleMesh drum_solid(const CamFlanks& cam, const FollowerMotion& motion,
+                                      const FlankSampling& sampling);
 
 // A three-dimensional cam with its rollers as what is drawn and moved: meshes that turn with the cam, and
 // where every roller stands at given cam angles. Frames of scene/cam_flanks.hpp; m, rad.

@@ -154,8 +154,9 @@ TriangleMesh indexing_body(const CamFlanks& cam, const FollowerMotion& motion,
     options.validate();
     const IndexingGroove groove(cam, motion, cam.roller_length + floor_clearance);
     const Surface surface(groove, motion, options);
-    return bored_solid(surface.mesh(), {groove.lower(), groove.upper(), bore_part * surface.least_radius(),
-                                        options.angles / lines_to_bore});
+    const double bore = cam.body.bore ? 0.5 * *cam.body.bore : bore_part * surface.least_radius();
+    return bored_solid(surface.mesh(),
+                       {groove.lower(), groove.upper(), bore, options.angles / lines_to_bore});
 }
 
 std::optional<TriangleMesh> drawn_indexing_body(const CamFlanks& cam, const FollowerMotion& motion,
@@ -179,7 +180,7 @@ TriangleMesh holding_rollers(const CamFlanks& cam, const FollowerMotion& motion)
             for (int i = 0; i < roller_corners; ++i) {
                 const double angle = units::turn * i / roller_corners;
                 circle.push_back(axis.foot + h * cam.roller_length * axis.direction +
-                                 cam.roller_radius *
+                                 (cam.roller_radius - 0.5 * cam.clearance) *
                                      (std::cos(angle) * axis.travel + std::sin(angle) * across));
             }
             sections.push_back(circle);

@@ -13,7 +13,8 @@
 //   a roller square to the cam's axis   ρ <= max |c|                 (ρ, z: about the cam's axis)
 //   one whose near end runs on an arc   (a − ρ)² + (z − z0)² >= l²   (RollerArc: from_axis, z, radius)
 // between ends at lower <= z <= upper, a quarter of the roller's radius beyond its grooves in the dwell,
-// nearer where rollers could not leave the cam there: a choice. m, rad.
+// nearer where rollers could not leave the cam there: a choice, as is the radius, unless the scene gives the
+// body (CamFlanks::body). m, rad.
 #pragma once
 
 #include "report/surface/triangle_mesh.hpp"

@@ -149,6 +149,7 @@ double IndexingGroove::top(double phi, double from, double inwards) const {
 
 void IndexingGroove::choose_ends(double middle, double pitch) {
     const double r = cam_.roller_radius;
+    double shortest = -HUGE_VAL, longest = HUGE_VAL;  // what either end may be moved out by
     // Where the roller's axis lies along the cam: of its two ends that nearer to the cam's middle, or not.
     const auto z_at = [&](double q, bool near_middle, double sign) {
         const RollerAxis axis = cam_.axis_at(0.0, q);
@@ -157,19 +158,31 @@ void IndexingGroove::choose_ends(double middle, double pitch) {
     };
     const auto end_at = [&](double q, double sign) {
         const double farthest = z_at(std::copysign(most_swing, q - middle), true, sign);
-        const double end =
-            std::min(sign * z_at(q, false, sign) + wall * r, sign * farthest - (1.0 + way_beyond) * r);
-        if (!(end > sign * z_at(q, true, sign) - r))
+        const double most = sign * farthest - (1.0 + way_beyond) * r, least = sign * z_at(q, true, sign) - r;
+        const double end = std::min(sign * z_at(q, false, sign) + wall * r, most);
+        if (!(end > least))
             throw InputError(
                 fmt::format("indexing cam: {:g} stops leave no room between the roller in the dwell and "
                             "where it leaves the cam",
                             units::turn / std::abs(pitch)));
+        shortest = std::max(shortest, least - end);
+        longest = std::min(longest, most - end);
         return sign * end;
     };
     const double in = middle - 0.5 * pitch, out = middle + 0.5 * pitch;
     enters_above_ = z_at(in, true, 1.0) > z_at(out, true, 1.0);
     upper_ = end_at(enters_above_ ? in : out, 1.0);
     lower_ = end_at(enters_above_ ? out : in, -1.0);
+    if (!cam_.body.length) return;
+    const double length = upper_ - lower_, beyond = 0.5 * (*cam_.body.length - length);
+    if (!(beyond > shortest && beyond <= longest))
+        throw InputError(fmt::format(
+            "cam.body_length: found {:.6g} mm; allowed: above {:.6g} and at most {:.6g} mm, so that a roller "
+            "in the dwell is held and others leave by the ends",
+            millimetres_shown.of(*cam_.body.length), millimetres_shown.of(length + 2.0 * shortest),
+            millimetres_shown.of(length + 2.0 * longest)));
+    upper_ += beyond;
+    lower_ -= beyond;
 }
 
 /// The φ where the whole line of contact is beyond that end; towards: +1 where rollers leave.
@@ -202,6 +215,7 @@ IndexingGroove::IndexingGroove(const CamFlanks& cam, const FollowerMotion& motio
         const RollerAxis axis = cam.axis_at(0.0, first + pitch * k / outside_samples);
         radius_ = std::max(radius_, axis.foot.head<2>().norm());
     }
+    if (cam.body.diameter) radius_ = 0.5 * *cam.body.diameter;
     choose_ends(first + 0.5 * pitch, pitch);
     path_ = rollers_as_one(motion, way_out(-1.0), way_out(1.0));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The cam of a scene, the load of its follower, and the limits that a cam of this kind cannot have.
+#include "scene/cam_flanks.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
@@ -54,7 +55,7 @@ std::optional<SceneFault> CamMechanism::find_fault(const CamSpec& spec, const Mo
 Fault cam_fault(const Scene& scene) {
     if (!scene.cam) return std::nullopt;
     const auto formulas = scene.cam->formulas();
-    if (scene.forces && formulas->direct() == nullptr)
+    if (scene.forces && !formulas->carries_load())
         return SceneFault{"forces", fmt::format("forces with a cam of type \"{}\"", formulas->type()),
                           direct_only};
     if (Fault fault = foreign_limit(scene, *formulas)) return fault;
@@ -141,17 +142,35 @@ Fault groove_depth_fault(const DrawingSpec& drawing, const CamSpec& cam, LengthU
     return std::nullopt;
 }
 
+/// The groove's floor at displacement 0 lies under the roller's far end.
+Fault drum_drawing_fault(const DrawingSpec& drawing, const CamFlanks& cam, LengthUnit unit) {
+    for (const auto& [given, member] : {std::pair(drawing.thickness, "drawing.thickness"),
+                                        std::pair(drawing.groove_depth, "drawing.groove_depth")})
+        if (given)
+            return SceneFault{member, "a number of a disk on a drum",
+                              "leave it out: cam.body_length and cam.roller_length say it"};
+    const RollerAxis axis = cam.axis(0.0, 0.0);
+    const double floor = (axis.foot + cam.roller_length * axis.direction).head<2>().norm();
+    if (drawing.reach() < floor) return std::nullopt;
+    return SceneFault{drawing.keyway ? "drawing.keyway" : "drawing.bore",
+                      fmt::format("one that reaches {} from the axis", length_text(drawing.reach(), unit)),
+                      fmt::format("less than {}, where the roller's far end runs", length_text(floor, unit))};
+}
+
 }  // namespace
 
 Fault drawing_fault(const Scene& scene) {
     if (!scene.drawing) return std::nullopt;
     const Dimension* const base = scene.cam ? scene.cam->find(DimensionIndex::base_radius) : nullptr;
-    if (base == nullptr)
+    const std::optional<CamFlanks> flanks =
+        scene.cam ? scene.cam->formulas()->flanks(scene.cam->middle()) : std::nullopt;
+    if (base == nullptr && !flanks)
         return SceneFault{"drawing", "a drawing without a base circle",
-                          "only with a cam that has a base radius"};
+                          "only with a cam that has a base radius, or with a drum"};
     const DrawingSpec& drawing = *scene.drawing;
     if (Fault fault = drawing_number_fault(drawing)) return fault;
     if (Fault fault = keyway_fault(drawing, scene.length_unit)) return fault;
+    if (flanks) return drum_drawing_fault(drawing, *flanks, scene.length_unit);
     if (Fault fault = groove_depth_fault(drawing, *scene.cam, scene.length_unit)) return fault;
     // The base circle is the cam's at displacement 0, where every motion begins.
     const double largest = base->high;

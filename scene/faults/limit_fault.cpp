@@ -50,10 +50,12 @@ Fault follower_fault(const Scene& scene) {
             return SceneFault{
                 member, fmt::format("{} for the follower \"{}\"", row.refusal.found, cam.choice("follower")),
                 row.refusal.allowed};
-        if (row.figure == LimitedFigure::contact_force && formulas->direct() != nullptr &&
-            formulas->stations() > 1)
+        if (row.figure == LimitedFigure::contact_force && formulas->carries_load() && formulas->sides() > 1)
             return SceneFault{
-                member, fmt::format("a least contact force for a cam of form \"{}\"", cam.choice("form")),
+                member,
+                fmt::format("a least contact force for a cam of {}",
+                            formulas->direct() != nullptr ? fmt::format("form \"{}\"", cam.choice("form"))
+                                                          : fmt::format("type \"{}\"", cam.type)),
                 "only with cam.form = \"open\": this cam drives both ways"};
         if (row.needs_contact_width && !scene.forces->contact_width)
             return SceneFault{member, "a pressure without a contact width",

@@ -400,7 +400,9 @@ class BoxProof:
             return [lambda z: sign * z[1] * z[2] - z[4]], [self.place["peak", i]]
         if cam is None or cam.rules is None:
             return [], []
+        cam.rules.of_planes = True
         formulas = cam.formulas_at(origin, at)
+        cam.rules.of_planes = False
         if cam.direct and rule.endswith("pressure_angle_deg"):  # in m
             formulas = [lambda z, f=f: f(z) * constant(cam.rules.reach()) for f in formulas]
         return formulas, [self.place["dimension", name] for name in cam.rules.searched]

@@ -98,6 +98,7 @@ class Cam:
         self.judged, self.swings, self.width, self.form = True, True, None, "open"
         self.rules = make(self.problem, scene)
         self.searched = self.rules.searched
+        self.forces = getattr(self.rules, "forces", None)
         found = self.found(result, self.rules.units)
         sizes, unit = self.rules.sizes | found, self.rules.cost_unit()
         used = {name: weight for name, weight in weights.items() if weight}

@@ -30,6 +30,18 @@ class Side:
         self.name, self.flank, self.wider, self.turn, self.pressed = name, flank, wider, turn, pressed
 
 
+def carried_at(most, problem, given):
+    """(unit of a force or a moment, pi b C most^2 in parts of it): what a contact carries at this pressure for every metre of radius."""
+    compliance = Fraction(0)
+    for side in ("cam", "follower"):
+        poisson = number(given.get(f"{side}_poisson", Fraction(3, 10)))
+        compliance += (1 - poisson**2) / (number(given.get(f"{side}_modulus_gpa", 210)) * 10**9)
+    own = Forces(problem, problem.scene)
+    swing = own.mass * problem.turns_per_second()**2 * own.lift
+    unit = middle_of((max(own.preload, (swing + own.largest_load()) / 100, Fraction(1, 1000)),) * 2)[0]
+    return unit, Over.number(*times(PI, exactly(compliance * number(given["contact_width_m"]) * most**2 / unit)))
+
+
 class DiskRules:
     """`dimensions`: of names, the number, or (lowest, highest) where it is searched. Lengths in m, angles in rad. `room`:
     by how much a rule may be passed, in parts of its limit."""
@@ -277,14 +289,7 @@ class DiskRules:
         of radius r lies on its side with the radius r (1 - R curvature) / (1 - (R - r) curvature), R to the surface."""
         if self.follower == "translating_knife":
             return None
-        compliance = Fraction(0)
-        for side in ("cam", "follower"):
-            poisson = number(self.forces.get(f"{side}_poisson", Fraction(3, 10)))
-            compliance += (1 - poisson**2) / (number(self.forces.get(f"{side}_modulus_gpa", 210)) * 10**9)
-        own = Forces(self.problem, self.problem.scene)
-        swing = own.mass * self.problem.turns_per_second()**2 * own.lift
-        unit = middle_of((max(own.preload, (swing + own.largest_load()) / 100, Fraction(1, 1000)),) * 2)[0]
-        carried = Over.number(*times(PI, exactly(compliance * number(self.forces["contact_width_m"]) * most**2 / unit)))
+        unit, carried = carried_at(most, self.problem, self.forces)
 
         def flat(numbers):
             if self.swings:  # the cam's radius and the lever, the contact's distance from the pivot's foot on the face

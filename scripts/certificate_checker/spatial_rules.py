@@ -3,10 +3,14 @@
 
 The roller's axis moves across the cam's surface with V_u along its travel and V_b across it; tan(pressure angle) = V_u /
 |V_b|. With A the second derivative of a point of the axis, F = V . e along the axis, M = e' . n, W^2 = V_u^2 + V_b^2, a flank
-is regular where  1 - r (A . n - 2 F M) / W^2 - (r M / W)^2 > 0,  n the flank's normal, one for either side.
+is regular where  1 - R (A . n - 2 F M) / W^2 - (R M / W)^2 = g > 0,  n the flank's normal, one for either side, R half the width of the
+groove. A force F on the follower presses with F / (lever |V_b| / W) along the normal, on the flank that pushes it on where F > 0, and over
+the width b of the roller with the pressure sqrt(N / (pi b C radius)), radius = r R g q / (r q^2 + (R - r) g), q^2 = 1 + (R M / W)^2.
 """
 
 from .dimensions import largest_of, middle_size
+from .disk_rules import LOADED, TOUCHES, carried_at
+from .forces import Forces
 from .laws import constant
 from .enclosures import Over
 from .plane_vectors import sign_of
@@ -14,6 +18,7 @@ from .exact import PI, exactly, number, tangent, times
 from .rational import Fraction
 from .units import angle_of, dimension_of, enclosed
 
+PARTS = (Fraction(0), Fraction(1, 2), Fraction(1))  # of the roller's length: the stations
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")
 
 
@@ -21,7 +26,7 @@ class SpatialRules:
     """Lengths in m, angles in rad. `found`: of dimensions that are searched what was found; without it they are the numbers
     behind y''' in units of the largest they may be. `room`: by how much a rule may be passed."""
 
-    moves = False
+    moves, of_planes = False, False
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
         cam, self.limits, self.room = scene["cam"], problem.limits, constant(room)
@@ -34,6 +39,11 @@ class SpatialRules:
         given = angle_of(cam, "start_angle")
         if given:
             self.start = enclosed(given)
+        self.problem, self.wider = problem, Fraction(dimension_of(cam, "groove_clearance") or 0) / 2
+        self.given = scene.get("forces", {})
+        self.forces = Forces(problem, scene) if self.given else None
+        # On the follower at the cam angle that is looked at, N: set anew where it is not the same everywhere.
+        self.load = constant(self.forces.points[0][1]) if self.forces else constant(0)
 
     def cost_unit(self):
         """What dimensions in the objective are divided by: the lift, of what turns times the centre distance, the middle of its range."""
@@ -71,18 +81,31 @@ class SpatialRules:
         if key == "limits.pressure_angle_deg" and sign and not remark:
             return [self.pressure(number(self.limits["pressure_angle_deg"]), sign, part) for part in (Fraction(0), Fraction(1))]
         if key == "limits.undercut_margin" and not remark:
-            return [self.scaled_margin(number(self.limits["undercut_margin"]), flank, part) for flank in (1, -1)
-                    for part in (Fraction(0), Fraction(1, 2), Fraction(1))]
-        return []
+            return [self.scaled_margin(number(self.limits["undercut_margin"]), flank, part) for flank in (1, -1) for part in PARTS]
+        name, _, contact = key.removeprefix("limits.").partition(" (")
+        if name not in LOADED or not self.forces:
+            return []
+        if contact.startswith("undercut"):
+            return [self.scaled_margin(TOUCHES, flank, part) for flank in (1, -1) for part in PARTS]
+        if contact:
+            return [self.near(part) for part in PARTS[::2]]
+        place, _, speed = remark.rpartition(", ") if "rpm" in remark and "," in remark else (("", "", remark) if "rpm" in remark else (remark, "", ""))
+        return [rule for corner in self.forces.corners_named(speed) for rule in self.loads(name, corner, place)]
 
     def kept(self, key):
         """(formulas that are nowhere above 0 along a motion that keeps the limit, further numbers of theirs)."""
         if key == "pressure_angle_deg":
             return [f for sign in (1, -1) for f in self.formulas("limits." + key, 1, sign)], []
+        if key in LOADED and self.forces:
+            return [rule for corner in self.forces.corners for rule in self.loads(key, corner)], []
         if key == "undercut_margin":
             margin = number(self.limits[key])
             return [self.margin(margin, flank) for flank in (1, -1)], [(Fraction(0), Fraction(1))]
         return [], []
+
+    def groove(self, numbers):
+        """Half its width."""
+        return self.size("roller_radius", numbers) + constant(self.wider)
 
     def height(self, part, numbers):
         return constant(part) * self.size("roller_length", numbers)
@@ -102,12 +125,80 @@ class SpatialRules:
             return constant(sign) * across * cosine - above * along * sine - self.room
         return rule
 
+    def loads(self, name, corner, place=""):
+        """The rules of a limit on a load; `place`: one station or one side alone, "50 % of the roller, flank +"."""
+        def named(part, flank):
+            return not place or place == f"{float(100 * part):.0f} % of the roller, flank {'+' if flank > 0 else '-'}"
+        if name == "torque_max_nm":
+            return [self.torque(sign, corner) for sign in (1, -1)]
+        if name == "contact_force_max_n":
+            return [self.largest_force(flank, corner) for flank in (1, -1) if place in ("", f"flank {'+' if flank > 0 else '-'}")]
+        if name == "hertz_pressure_max_mpa":
+            most = number(self.limits[name]) * 10**6
+            return [self.hertz(most, corner, flank, part) for flank in (1, -1) for part in PARTS if named(part, flank)]
+        return []
+
+    def unscaled(self, rule):
+        """Rows of these cams are divided by the centre distance beyond the formulas here, planes of a bound over boxes are not: of
+        loads neither is."""
+        size = constant(1 if self.of_planes else middle_size(self.sizes["center_distance"]))
+        return lambda numbers: (rule(numbers) - self.room) * size
+
+    def force(self, numbers, corner):
+        """mass speed^2 s'' + damping speed s' + rate s + preload + load; of what turns the moment."""
+        own, (square, speed) = self.forces, corner
+        return numbers[2] * constant(own.mass * square * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
+            constant(own.rate) * numbers[0] * constant(own.lift) + constant(own.preload) + self.load
+
+    def pressed(self, flank):
+        """The sign of the force that presses on a flank."""
+        return flank * (-self.sense if self.kind == "barrel" else self.sense)
+
+    def torque(self, sign, corner):
+        """sign F s' / most - 1, s' by the cam's angle in rad."""
+        factor = constant(sign / number(self.limits["torque_max_nm"]))
+        rate = Over.number(*self.lift) * Over.number(*self.beta).inverse()
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * numbers[1] * rate * factor - constant(1))
+
+    def largest_force(self, flank, corner):
+        most = number(self.limits["contact_force_max_n"])
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * constant(self.pressed(flank) / most) - constant(1))
+
+    def near(self, part):
+        """The axis of the cam stays away from that of the roller, by parts of the centre distance."""
+        above = constant(-self.sense if self.kind == "barrel" else self.sense)
+        inverse = constant(1 / middle_size(self.sizes["center_distance"]))
+        return self.unscaled(lambda numbers: constant(TOUCHES) - above * self.axis(numbers, self.height(part, numbers))[1] * inverse)
+
+    def hertz(self, most, corner, flank, part):
+        """F <= carried * radius * lever, in parts of a unit of force (of what turns: of a moment)."""
+        unit, carried = carried_at(most, self.problem, self.given)
+        side, wider = constant(flank), constant(self.wider)
+        above = constant(-self.sense if self.kind == "barrel" else self.sense)
+
+        def rule(numbers):
+            radius, height = self.size("roller_radius", numbers), self.height(part, numbers)
+            across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(numbers, height)
+            inverse = (across.square() + along.square()).inverse()
+            speed, groove = inverse.root(), radius + wider
+            turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
+            twist = (groove * tilt * inverse).square()
+            g = constant(1) - side * groove * (turn - constant(2) * beside * tilt) * inverse * speed - twist
+            inclined = constant(1) + twist
+            contact = radius * groove * g * inclined.root() * (radius * inclined + wider * g).inverse()
+            lever = constant(1) if self.kind == "translating" else self.size("arm_length", numbers)
+            if self.kind == "rotating":
+                lever = lever + height
+            press = self.force(numbers, corner) * constant(self.pressed(flank) / unit)
+            return press - carried * contact * lever * above * along * speed
+        return self.unscaled(rule)
+
     def margin(self, least, flank):
         """least - g at any height: the last of the numbers is the part of the roller's length."""
         side = constant(flank)
 
         def rule(numbers):
-            radius, height = self.size("roller_radius", numbers), numbers[3] * self.size("roller_length", numbers)
+            radius, height = self.groove(numbers), numbers[3] * self.size("roller_length", numbers)
             across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(numbers, height)
             inverse = (across.square() + along.square()).inverse()
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
@@ -120,7 +211,7 @@ class SpatialRules:
         side = constant(flank)
 
         def rule(numbers):
-            radius, height = self.size("roller_radius", numbers), self.height(part, numbers)
+            radius, height = self.groove(numbers), self.height(part, numbers)
             lever = constant(1) if self.kind == "translating" else self.size("arm_length", numbers)
             if self.kind == "rotating":
                 lever = lever + height

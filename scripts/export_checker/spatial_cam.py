@@ -65,6 +65,7 @@ class SpatialCam:
         self.radius, self.length, self.lateral, self.axial, self.distance, self.arm = (
             size_of(cam, name, design) * MILLIMETRES
             for name in ("roller_radius", "roller_length", "lateral_offset", "axial_offset", "center_distance", "arm_length"))
+        self.radius += size_of(cam, "groove_clearance", design) * MILLIMETRES / 2  # half the width of the groove
         low, high = enclosed(problem.lift)
         self.lift = interval(low, high) if self.swings else interval(low * MILLIMETRES, high * MILLIMETRES)
         given = angle_of(cam, "start_angle") if self.swings else None

@@ -8,6 +8,7 @@
 #include "report/cam/cam_files.hpp"
 #include "report/exports/workshop.hpp"
 #include "report/json/json_text.hpp"
+#include "report/spatial/flank_surfaces.hpp"
 #include "report/spatial/indexing_body.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "shop/disk/disk_solid.hpp"
@@ -15,6 +16,7 @@
 #include "shop/plc/plc_export.hpp"
 #include "shop/sheet/sheet_files.hpp"
 #include "shop/spatial/cam_export.hpp"
+#include "shop/spatial/drum_sheet.hpp"
 #include "shop/step/step_file.hpp"
 #include "shop/toolpath/tool_path_svg.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -234,10 +236,13 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
                               self.solution_.scene.length_unit);
         });
         if (pieces_[piece].is_plate()) return;  // neither a sheet nor a program of it
+        add_sheet(piece);
+        add_program(name, piece);
+    }
+    void add_sheet(std::size_t piece) {
         for (const char* const format : {"pdf", "svg", "dxf"})
             add(fmt::format("drawing{}.{}", piece_suffix(piece), format),
                 [piece, format](Self self) { return sheet_bytes(self.sheets().at(piece), format); });
-        add_program(name, piece);
     }
     void add_flanks() {
         const auto flanks = [this](const char* kind, const char* name, bool CamExportOptions::*wanted) {
@@ -245,13 +250,14 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
                    [wanted](Self self) { return flank_files(self.solution_, self.options_, wanted); });
         };
         const MotionChain turn = whole_turn(solution_);
-        const bool whole =
-            indexes(solved_flanks(solution_), follower_motion(turn, motion_scale(solution_.scene)));
+        const FollowerMotion motion = follower_motion(turn, motion_scale(solution_.scene));
+        const bool whole = indexes(solved_flanks(solution_), motion) || groove_closes(motion);
         flanks("csv", "flanks.csv", &CamExportOptions::csv);
         flanks("step", "flanks.step", &CamExportOptions::step);
         flanks("stl", "groove.stl", &CamExportOptions::stl);
         if (whole) flanks("stl", "cam.stl", &CamExportOptions::stl);
         flanks("picture", "cam.svg", &CamExportOptions::picture);
+        add_sheet(0);
         add_program("cam", 0);
     }
     void add_program(const std::string& name, std::size_t piece) {
@@ -264,7 +270,16 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
         return drawing_of(solution_, pieces_[piece], options_.plate);
     }
     [[nodiscard]] const std::vector<Sheet>& sheets() const {
-        if (!sheets_) sheets_ = cam_sheets(solution_, options_.plate);
+        if (sheets_) return *sheets_;
+        if (has_flanks(solution_)) {
+            const MotionChain turn = whole_turn(solution_);
+            DrawingSpec drawing = solution_.scene.drawing.value_or(DrawingSpec{});
+            if (options_.plate.bore) drawing.bore = options_.plate.bore;
+            sheets_ = {drum_sheet(solution_, solved_flanks(solution_),
+                                  follower_motion(turn, motion_scale(solution_.scene)), drawing)};
+        } else {
+            sheets_ = cam_sheets(solution_, options_.plate);
+        }
         return *sheets_;
     }
     [[nodiscard]] const ExportedProgram& sound_program(std::size_t piece) const {

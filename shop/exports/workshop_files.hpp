@@ -6,9 +6,10 @@
 //   disk cam               drawing.pdf, drawing.svg, drawing.dxf (workshop drawing), cam.step, cam.stl,
 //                          cam.nc, cam_nc_check.txt, cam_nc.svg; of the second disk of a conjugate cam
 //                          drawing_second.pdf, cam_second.step, …
-//   three-dimensional cam  flanks.csv, flanks.step, groove.stl, cam.svg, cam.nc, cam_nc_check.txt,
-//   cam_nc.svg;
-//                          of an indexing cam cam.stl
+//   three-dimensional cam  drawing.pdf, drawing.svg, drawing.dxf, flanks.csv, flanks.step, groove.stl,
+//   cam.svg,
+//                          cam.nc, cam_nc_check.txt, cam_nc.svg;
+//                          of an indexing cam and of a groove that closes cam.stl
 //   of these NAME.check.json: what `verify-export` holds them to (docs/certificates.md)
 #pragma once
 

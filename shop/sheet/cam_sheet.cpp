@@ -18,18 +18,11 @@ namespace {
 using Eigen::Vector2d;
 using units::degree;
 
-/// A format of ISO 216, landscape.
-struct SheetFormat {
-    const char* name;
-    double width, height;
-};
-constexpr std::array<SheetFormat, 2> sheet_formats = {{{"A4", 0.297, 0.210}, {"A3", 0.420, 0.297}}};
 constexpr double outline_tolerance = 1e-6;  // m: of the arcs
 constexpr int table_step = 5;               // deg
 
 // m on the paper: what dimensions and words beside the views need.
-constexpr double beside_cam = 24e-3, above_cam = 16e-3, before_section = 6e-3, after_section = 22e-3,
-                 block_distance = 4e-3;
+constexpr double beside_cam = 24e-3, above_cam = 16e-3, before_section = 6e-3, after_section = 22e-3;
 constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.5e-3, keyway_line = 5e-3,
                  thickness_line = 6e-3, bore_line = 7e-3, depth_line = 15e-3, hatch_step = 2.5e-3,
                  center_overhang = 3e-3;
@@ -99,7 +92,7 @@ class CamSheetMaker {
     }
 
     Sheet make() {
-        choose_format();
+        choose_paper();
         place_views();
         add_outline();
         add_bore();
@@ -171,33 +164,17 @@ class CamSheetMaker {
         }
         return table;
     }
-    [[nodiscard]] static Vector2d room_for_views(const SheetFormat& format, const SheetTable& table) {
-        return {format.width - sheet_left_margin - sheet_margin - table.width() - 2.0 * block_distance,
-                format.height - 2.0 * sheet_margin - title_block_height - 2.0 * block_distance};
-    }
-    void choose_format() {
-        const Vector2d size = box_.size() + Vector2d(thickness(), 0.0);
-        const Vector2d words(2.0 * beside_cam + before_section + after_section, 2.0 * above_cam);
-        std::optional<StandardScale> chosen;
+    void choose_paper() {
         table_ = radius_table();
-        for (const SheetFormat& format : sheet_formats) {
-            const StandardScale scale = standard_scale(size, room_for_views(format, table_) - words);
-            if (chosen && !(scale.value > chosen->value)) continue;
-            chosen = scale;
-            sheet_.format = format.name;
-            sheet_.width = format.width;
-            sheet_.height = format.height;
-            if (scale.value >= 1.0) break;
-        }
-        sheet_.scale = chosen->value;
-        sheet_.scale_words = chosen->words;
+        choose_format(sheet_, box_.size() + Vector2d(thickness(), 0.0),
+                      {2.0 * beside_cam + before_section + after_section, 2.0 * above_cam}, table_.width());
         sheet_.lengths = solution_.scene.length_unit;
         sheet_.title = solution_.scene.title.empty() ? "Cam" : solution_.scene.title;
         if (!piece_.empty()) sheet_.title += ", " + piece_;
     }
     void place_views() {
         const double scale = sheet_.scale;
-        const Vector2d room = room_for_views({"", sheet_.width, sheet_.height}, table_);
+        const Vector2d room = room_for_views(sheet_, table_.width());
         const Vector2d cam = scale * box_.size();
         const double all = cam.x() + 2.0 * beside_cam + before_section + scale * thickness() + after_section;
         const double left = sheet_left_margin + block_distance + 0.5 * (room.x() - all) + beside_cam;

@@ -16,6 +16,13 @@ constexpr double table_text = 2.0e-3, row_height = 3.9e-3, angle_column = 9e-3, 
                  block_gap = 2e-3;
 constexpr double note_text = 1.8e-3, note_line = 3.3e-3;
 
+/// A format of ISO 216, landscape.
+struct SheetFormat {
+    const char* name;
+    double width, height;
+};
+constexpr std::array<SheetFormat, 2> sheet_formats = {{{"A4", 0.297, 0.210}, {"A3", 0.420, 0.297}}};
+
 struct TitleCell {
     double left, bottom, right, top;  ///< from the block's lower left corner
     const char* label;
@@ -119,6 +126,29 @@ void add_frame(Sheet& sheet, const TitleBlock& title, const std::string& mass, P
     add_projection_symbol(paper, corner + Vector2d(symbol, 0.5 * row), projection);
     paper.rectangle("block", corner, corner + Vector2d(title_block_width, title_block_height));
     sheet.add_on_paper(std::move(paper));
+}
+
+Vector2d room_for_views(const Sheet& sheet, double table_width) {
+    return {sheet.width - sheet_left_margin - sheet_margin - table_width - 2.0 * block_distance,
+            sheet.height - 2.0 * sheet_margin - title_block_height - 2.0 * block_distance};
+}
+
+void choose_format(Sheet& sheet, const Vector2d& size, const Vector2d& words, double table_width) {
+    std::optional<StandardScale> chosen;
+    for (const SheetFormat& format : sheet_formats) {
+        Sheet tried;
+        tried.width = format.width;
+        tried.height = format.height;
+        const StandardScale scale = standard_scale(size, room_for_views(tried, table_width) - words);
+        if (chosen && !(scale.value > chosen->value)) continue;
+        chosen = scale;
+        sheet.format = format.name;
+        sheet.width = format.width;
+        sheet.height = format.height;
+        if (scale.value >= 1.0) break;
+    }
+    sheet.scale = chosen->value;
+    sheet.scale_words = chosen->words;
 }
 
 double SheetTable::width() const {

@@ -25,6 +25,15 @@ struct SheetTable {
     }
     [[nodiscard]] double width() const;
 };
+/// Format and scale of a sheet for views of this size with so much for words around them, m on the paper,
+/// beside a table: A4, or A3 where A4 would make it smaller than it is. Throws InputError for what fits no
+/// sheet.
+void choose_format(Sheet& sheet, const Eigen::Vector2d& size, const Eigen::Vector2d& words,
+                   double table_width);
+/// For the views of a sheet that has its format, m on the paper.
+[[nodiscard]] Eigen::Vector2d room_for_views(const Sheet& sheet, double table_width);
+inline constexpr double block_distance = 4e-3;  ///< between views, table and title block
+
 /// `top_left`: of its box.
 void add_table(Sheet& sheet, const SheetTable& table, const Eigen::Vector2d& top_left);
 

@@ -50,6 +50,9 @@ Paths write_cam_files(const std::filesystem::path& folder, const CamFlanks& cam,
         write_bytes(written, folder / "groove.stl", stl_bytes(groove_body(grid), options.title + ", groove"));
         if (indexing)
             write_bytes(written, folder / "cam.stl", stl_bytes(indexing_body(cam, motion), options.title));
+        else if (groove_closes(motion))
+            write_bytes(written, folder / "cam.stl",
+                        stl_bytes(drum_solid(cam, motion, sampling), options.title));
     }
     if (options.picture)
         write_bytes(written, folder / "cam.svg", picture_of(cam, motion, grid, options.title));

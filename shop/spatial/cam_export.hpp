@@ -9,8 +9,8 @@
 namespace camopt {
 
 struct CamExportOptions {
-    bool csv = false;      ///< flanks.csv
-    bool stl = false;      ///< groove.stl and, of an indexing cam, its whole body cam.stl
+    bool csv = false;  ///< flanks.csv
+    bool stl = false;  ///< groove.stl and, of an indexing cam or a groove that closes, the whole body cam.stl
     bool step = false;     ///< flanks.step; needs Open CASCADE
     bool picture = false;  ///< cam.svg
     FlankSampling sampling = {9, 361, 0.0, 0.0};

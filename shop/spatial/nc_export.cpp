@@ -77,7 +77,8 @@ class MilledGroove {
                 extent.lower = std::min(extent.lower, left.point.z());
                 extent.upper = std::max(extent.upper, left.point.z());
             }
-        return extent;
+        const DrumSize body = body_around({extent.radius, extent.lower, extent.upper}, cam_.body, 0.0);
+        return {body.radius, body.lower, body.upper};
     }
 
     /// Of an indexing cam: the roller's way on to either side, to where a cutter stands clear of the blank.

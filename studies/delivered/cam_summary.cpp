@@ -102,30 +102,39 @@ struct ForcedMotion {
     double speed = 0.0;
 };
 
-/// Where one side carries: 0 elsewhere.
+/// None where neither is there.
+std::optional<CamExtreme> larger(const std::optional<CamExtreme>& one,
+                                 const std::optional<CamExtreme>& other) {
+    if (!one || !other) return one ? one : other;
+    return one->value >= other->value ? one : other;
+}
+
+void keep_least(std::optional<CamExtreme>& least, const std::optional<CamExtreme>& other) {
+    if (other && (!least || other->value < least->value)) least = other;
+}
+
+/// Where one station carries: 0 elsewhere. The largest of those of a side.
 void add_side_loads(SideSummary& side, int station, const DrivenMechanism& cam, const CamTurn& turn,
                     const ForcedMotion& forced) {
     const auto normal = [&](const CamPlace& place) {
         const double force = forced.forces.force(forced.speed, place.state, place.point.theta);
         return std::max(0.0, normal_force(cam, place.state, force, station));
     };
-    side.normal_force = turn.largest(normal, station);
+    side.normal_force = larger(side.normal_force, turn.largest(normal, station));
     if (!has_hertz_pressure(*cam.formulas, forced.forces)) return;
-    side.hertz_pressure = turn.largest(
+    const CamExtreme pressure = turn.largest(
         [&](const CamPlace& place) {
             return hertz_pressure(cam, forced.forces, place.point, normal(place), station);
         },
         station);
+    side.hertz_pressure = larger(side.hertz_pressure, pressure);
 }
 
 /// The larger of the two sides, each of which carries a part of the turn.
 void set_largest_loads(ForceSummary& summary, const std::vector<SideSummary>& sides) {
-    const auto larger = [](std::optional<CamExtreme>& largest, const std::optional<CamExtreme>& one) {
-        if (one && (!largest || one->value > largest->value)) largest = one;
-    };
     for (const SideSummary& side : sides) {
-        larger(summary.normal_force, side.normal_force);
-        larger(summary.hertz_pressure, side.hertz_pressure);
+        summary.normal_force = larger(summary.normal_force, side.normal_force);
+        summary.hertz_pressure = larger(summary.hertz_pressure, side.hertz_pressure);
     }
 }
 
@@ -161,7 +170,7 @@ ForceSummary force_summary(const DrivenMechanism& cam, const CamTurn& turn, cons
     summary.largest_force = turn.largest(force);
     summary.torque =
         turn.largest([&](const CamPlace& place) { return std::abs(force(place) * place.state.velocity); });
-    if (const std::optional<double> slide = cam.formulas->direct()->slide(cam.dimensions))
+    if (const std::optional<double> slide = cam.formulas->slide(cam.dimensions))
         summary.driving_force = CamExtreme{summary.torque.value / *slide, summary.torque.at};
     const bool presses = has_hertz_pressure(*cam.formulas, forces);
     if (no_contact) {
@@ -175,8 +184,9 @@ ForceSummary force_summary(const DrivenMechanism& cam, const CamTurn& turn, cons
         return summary;
     }
     if (!of.sides.empty()) {
-        for (std::size_t i = 0; i < of.sides.size(); ++i)
-            add_side_loads(of.sides[i], static_cast<int>(i), cam, turn, forced);
+        for (int station = 0; station < cam.formulas->stations(); ++station)
+            add_side_loads(of.sides.at(static_cast<std::size_t>(cam.formulas->side_of(station))), station,
+                           cam, turn, forced);
         set_largest_loads(summary, of.sides);
         return summary;
     }
@@ -225,11 +235,8 @@ CamExtreme rest_pressure(const CamTurn& turn, const Scene& scene) {
     return worst;
 }
 
-/// Of a direct cam; nothing to do for another. The summary has what every cam has.
-void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn,
-                          const Scene& scene) {
-    const DirectCam* const direct = cam.formulas->direct();
-    if (direct == nullptr) return;
+void add_stroke_figures(CamSummary& summary, const DirectCam& direct, const CamTurn& turn,
+                        const Scene& scene) {
     const auto angle = [](const CamPlace& place) { return std::abs(place.point.pressure_angle); };
     const double still = at_rest * scene.motion.lift / scene.motion.unit_angle();
     summary.rise_pressure_angle = turn.largest(
@@ -237,12 +244,45 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const
     summary.return_pressure_angle = turn.largest(
         [&](const CamPlace& place) { return place.state.velocity < -still ? angle(place) : 0.0; });
     summary.rest_pressure_angle = rest_pressure(turn, scene);
-    if (const double sense = direct->face_turn(); sense != 0.0) {
+    if (const double sense = direct.face_turn(); sense != 0.0) {
         const CamExtreme turning = least_turning(sense, turn);
         if (!(turning.value > 0.0)) set_turning_back(summary, turning);
     }
+}
+
+/// The flanks of a three-dimensional cam: the worst of each along its roller.
+void add_flanks(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn) {
+    const CamMechanism& formulas = *cam.formulas;
+    for (int i = 0; i < formulas.sides(); ++i) {
+        SideSummary side;
+        side.name = formulas.side_name(i);
+        std::optional<CamExtreme> margin;
+        for (int station = 0; station < formulas.stations(); ++station) {
+            if (formulas.side_of(station) != i) continue;
+            const CamExtreme angle = turn.largest(
+                [](const CamPlace& place) { return std::abs(place.point.pressure_angle); }, station);
+            side.pressure_angle = *larger(side.pressure_angle, angle);
+            keep_least(margin,
+                       turn.least([](const CamPlace& place) { return place.point.regularity; }, station));
+        }
+        side.regularity = margin.value();
+        summary.sides.push_back(std::move(side));
+    }
+}
+
+/// Of a cam that carries the load; nothing to do for another. The summary has what every cam has.
+void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn,
+                          const Scene& scene) {
+    if (!cam.formulas->carries_load()) return;
+    const bool loaded = scene.forces && scene.motion.speed;
+    if (const DirectCam* const direct = cam.formulas->direct())
+        add_stroke_figures(summary, *direct, turn, scene);
+    else if (loaded)
+        add_flanks(summary, cam, turn);
+    else
+        return;
     summary.no_contact = place_without_contact(cam, turn, summary);
-    if (!scene.forces || !scene.motion.speed) return;
+    if (!loaded) return;
     const CamSummary without_loads = summary;
     for (const LoadSpeed& speed : scene.load_speeds()) {
         if (!speed.is_speed) continue;
@@ -273,10 +313,6 @@ SideSummary side_summary(const DrivenMechanism& cam, const CamTurn& turn, int st
     if (sharpest.value > 0.0) side.convex_radius = CamExtreme{1.0 / sharpest.value - offset, sharpest.at};
     if (hollow.value < 0.0) side.concave_radius = CamExtreme{offset - 1.0 / hollow.value, hollow.at};
     return side;
-}
-
-void keep_least(std::optional<CamExtreme>& least, const std::optional<CamExtreme>& other) {
-    if (other && (!least || other->value < least->value)) least = other;
 }
 
 void add_radii_of_pitch(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn) {
@@ -322,13 +358,6 @@ CamSummary summary_of(const DrivenMechanism& cam, const CamTurn& turn) {
     round_cusp(summary.regularity, summary.convex_radius);
     for (SideSummary& side : summary.sides) round_cusp(side.regularity, side.convex_radius);
     return summary;
-}
-
-/// None where neither is there.
-std::optional<CamExtreme> larger(const std::optional<CamExtreme>& one,
-                                 const std::optional<CamExtreme>& other) {
-    if (!one || !other) return one ? one : other;
-    return one->value >= other->value ? one : other;
 }
 
 /// The pressure angle that the general limit compares with: of the whole cam, or of the stroke that has no

@@ -53,13 +53,14 @@ struct CamSummary {
     CamExtreme regularity;
     double base_radius = 0.0;  ///< planar, m: the dimension, or the least distance of the cam from its centre
     std::optional<CamExtreme> contact_offset;  ///< largest magnitude on a flat face; may be infinite
-    /// Of a direct cam: x of a place where the follower cannot touch it as designed: undercut, a face that
-    /// turns back, a contact below the cam's centre. None where it can everywhere.
+    /// Of a direct cam, and of a drum with forces: x of a place where the follower cannot touch it as
+    /// designed: undercut, a face that turns back, a contact below the cam's centre. None where it can
+    /// everywhere.
     std::optional<double> no_contact;
-    std::optional<ForceSummary> forces;  ///< of a direct cam where the scene has forces and a speed
+    std::optional<ForceSummary> forces;  ///< of a loaded cam where the scene has forces and a speed
     /// The same at the other ends of the range of speeds (Scene::load_speeds), with "at 0 rpm".
     std::vector<std::pair<std::string, ForceSummary>> other_loads;
-    std::vector<SideSummary> sides;  ///< in the order of the stations; empty: the cam has one side
+    std::vector<SideSummary> sides;  ///< of a loaded cam that drives both ways; of a drum only with forces
     LimitedFigures limited;          ///< what the scene's limits compare with; of a scene's cam
 
     [[nodiscard]] bool undercut() const { return !(regularity.value >= 0.0); }

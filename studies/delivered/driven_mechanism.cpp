@@ -30,10 +30,12 @@ EnclosedLimit along(const PointRule& rule, const Motion& motion) {
 }
 
 /// 1/ρ_cam + 1/r of a roller, which may be a little smaller than what the surface is offset by.
-double roller_contact_curvature(const DrivenMechanism& cam, const MechanismPoint& point, int side) {
-    const int index = cam.formulas->roller_radius_at(side);
+double contact_curvature(const DrivenMechanism& cam, const MechanismPoint& point, int station) {
+    if (!cam.formulas->radius_quantity()) return 1.0 / point.contact_radius;
+    if (cam.formulas->contact() != ContactKind::roller) return 1.0 / point.cam_radius;
+    const int index = cam.formulas->roller_radius_at(station);
     const double roller = cam.dimensions[static_cast<std::size_t>(index)],
-                 wider = cam.formulas->surface_offset(cam.dimensions, side) - roller;
+                 wider = cam.formulas->surface_offset(cam.dimensions, station) - roller;
     return (1.0 - wider * point.pitch_curvature) / (roller * point.regularity);
 }
 
@@ -63,20 +65,19 @@ bool is_verified(const std::vector<EnclosedLimit>& limits, const std::string& ke
                                [&](const EnclosedLimit& limit) { return !has_key(limit) || limit.complete; });
 }
 
-double normal_force(const DrivenMechanism& cam, const FollowerState& state, double force, int side) {
+double normal_force(const DrivenMechanism& cam, const FollowerState& state, double force, int station) {
     const double lever =
-        cam.formulas->quantity(MechanismQuantity::normal_lever, {cam.dimensions, state}, side, {}).value;
-    return pressing_sense(side) * force / lever;
+        cam.formulas->quantity(MechanismQuantity::normal_lever, {cam.dimensions, state}, station, {}).value;
+    return cam.formulas->pressing_sense(station) * force / lever;
 }
 
 int carrying_side(const CamMechanism& cam, double force) {
-    return cam.stations() > 1 && force < 0.0 ? 1 : 0;
+    return cam.sides() > 1 && force < 0.0 ? 1 : 0;
 }
 
 double hertz_pressure(const DrivenMechanism& cam, const ForceSpec& forces, const MechanismPoint& point,
-                      double normal_force, int side) {
-    const bool rolls = cam.formulas->contact() == ContactKind::roller;
-    const double curvature = rolls ? roller_contact_curvature(cam, point, side) : 1.0 / point.cam_radius;
+                      double normal_force, int station) {
+    const double curvature = contact_curvature(cam, point, station);
     const double squared =
         normal_force * curvature / (forces.compliance() * std::numbers::pi * forces.contact_width.value());
     return squared > 0.0 ? std::sqrt(squared) : 0.0;
@@ -88,16 +89,23 @@ bool has_hertz_pressure(const CamMechanism& cam, const ForceSpec& forces) {
 
 FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double force,
                              const FollowerState& state,
-                             const std::function<MechanismPoint(int side)>& point_of) {
+                             const std::function<MechanismPoint(int station)>& point_of) {
     FollowerLoads loads;
     loads.force = force;
     loads.torque = loads.force * state.velocity;
-    if (const std::optional<double> slide = cam.formulas->direct()->slide(cam.dimensions))
+    if (const std::optional<double> slide = cam.formulas->slide(cam.dimensions))
         loads.driving_force = loads.torque / *slide;
     loads.side = carrying_side(*cam.formulas, loads.force);
-    loads.normal_force = normal_force(cam, state, loads.force, loads.side);
-    if (!has_hertz_pressure(*cam.formulas, forces)) return loads;
-    loads.hertz_pressure = hertz_pressure(cam, forces, point_of(loads.side), loads.normal_force, loads.side);
+    bool first = true;
+    for (int station = 0; station < cam.formulas->stations(); ++station) {
+        if (cam.formulas->sides() > 1 && cam.formulas->side_of(station) != loads.side) continue;
+        const double normal = normal_force(cam, state, loads.force, station);
+        if (first || normal > loads.normal_force) loads.normal_force = normal;
+        first = false;
+        if (!has_hertz_pressure(*cam.formulas, forces)) continue;
+        loads.hertz_pressure = std::max(loads.hertz_pressure.value_or(0.0),
+                                        hertz_pressure(cam, forces, point_of(station), normal, station));
+    }
     return loads;
 }
 

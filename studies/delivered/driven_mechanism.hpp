@@ -45,19 +45,21 @@ struct EnclosedLimit {
 //   normal force  F / lever, along the cam's normal (MechanismQuantity::normal_lever)
 //   Hertz         √(N E* κ / (π b)),  κ = 1/ρ_cam + 1/r: line contact over the width b
 //
-// The cam is direct (DirectCam). One that drives both ways carries F > 0 on its side 0, F < 0
-// on its side 1: the normal force is then that of the side that carries, >= 0. A side is a station.
+// The cam carries the load (CamMechanism::carries_load). One that drives both ways carries F > 0 on its side
+// 0, F < 0 on its side 1: the normal force is then that of the side that carries, >= 0. Where a side has
+// several stations, of a roller's length, the largest of them counts.
 
-/// F / lever; on side 1 −F / lever. Of a cam that drives both ways < 0 where the other side carries.
+/// F / lever; at a station of side 1 −F / lever. Of a cam that drives both ways < 0 where the other side
+/// carries.
 [[nodiscard]] double normal_force(const DrivenMechanism& cam, const FollowerState& state, double force,
-                                  int side = 0);
+                                  int station = 0);
 /// Which side a force presses on: 0 of a cam that does not drive both ways.
 [[nodiscard]] int carrying_side(const CamMechanism& cam, double force);
 
-/// Of a normal force (N) at a point of the cam, on that side, Pa; 0 where nothing presses. The forces have a
-/// contact width.
+/// Of a normal force (N) at a point of the cam, at that station, Pa; 0 where nothing presses. The forces have
+/// a contact width.
 [[nodiscard]] double hertz_pressure(const DrivenMechanism& cam, const ForceSpec& forces,
-                                    const MechanismPoint& point, double normal_force, int side = 0);
+                                    const MechanismPoint& point, double normal_force, int station = 0);
 
 /// Whether there is a pressure to speak of: a contact width is given, and the follower has no edge.
 [[nodiscard]] bool has_hertz_pressure(const CamMechanism& cam, const ForceSpec& forces);
@@ -70,9 +72,9 @@ struct FollowerLoads {
         {};  ///< N, along the travel of a cam that slides; > 0: it is pushed
 };
 
-/// force: N or N m; point_of: the cam there, by side.
+/// force: N or N m; point_of: the cam there, by station.
 [[nodiscard]] FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double force,
                                            const FollowerState& state,
-                                           const std::function<MechanismPoint(int side)>& point_of);
+                                           const std::function<MechanismPoint(int station)>& point_of);
 
 }  // namespace camopt

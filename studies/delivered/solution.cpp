@@ -77,7 +77,7 @@ LoadsAt delivered_loads(const Solution& solution) {
         const ForceSpec& forces = *solution.scene.forces;
         FollowerLoads loads =
             follower_loads(solution.cam->cam, forces, forces.force(speed, state, scale.unit_angle * motion.x),
-                           state, [&](int side) { return cam.at(motion, side); });
+                           state, [&](int station) { return cam.at(motion, station); });
         if (!solution.cam->summary.no_contact) return loads;
         loads.normal_force = infinity;
         loads.hertz_pressure.reset();

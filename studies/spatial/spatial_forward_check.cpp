@@ -53,6 +53,35 @@ double distance_from(const CamFlanks& follower, const RollerAxis& axis, const Ve
 }
 
 constexpr int section_points = 2000;
+constexpr int play_angles = 361;
+
+/// Where a roller narrower than its groove can be moved to between all sections of both flanks: one of them
+/// stops it on either side. `input` is that of a roller that fills the groove.
+ForwardCheckReport::Play play_between(const SpatialForwardCheckInput& input) {
+    CamFlanks roller = input.follower;
+    roller.roller_radius -= 0.5 * roller.clearance;
+    std::vector<FlankContact> flanks;
+    for (const auto& section : input.sections)
+        flanks.emplace_back(roller, section, input.breaks, input.designed(input.begin));
+    ForwardCheckReport::Play play{HUGE_VAL, -HUGE_VAL, 0.0, 0.0, {}};
+    for (int i = 0; i < play_angles; ++i) {
+        const double theta = input.begin + (input.end - input.begin) * (i + 0.5) / play_angles;
+        const double designed = input.designed(theta);
+        double back = -HUGE_VAL, on = HUGE_VAL;
+        for (FlankContact& flank : flanks) {
+            const FlankContact::Stand stand = flank.at(theta);
+            if (stand.at_end) continue;
+            if (stand.s < designed)
+                back = std::max(back, stand.s);
+            else
+                on = std::min(on, stand.s);
+        }
+        if (!std::isfinite(on - back)) continue;
+        if (on - back < play.least) play.least = on - back, play.least_at = theta;
+        if (on - back > play.largest) play.largest = on - back, play.largest_at = theta;
+    }
+    return play;
+}
 
 }  // namespace
 
@@ -157,6 +186,7 @@ CamFlanks solved_flanks(const Solution& solution) {
     std::optional<CamFlanks> flanks;
     if (solution.cam) flanks = solution.cam->cam.formulas->flanks(solution.cam->cam.dimensions);
     if (!flanks) throw InputError("a three-dimensional cam is needed, and this solution has none");
+    if (solution.scene.drawing) flanks->body.bore = solution.scene.drawing->bore;
     return *std::move(flanks);
 }
 
@@ -175,8 +205,12 @@ ForwardCheckReport check_flanks(const Solution& solution, std::optional<int> poi
     input.begin = turn.begin();
     input.end = turn.end();
     const SpatialForwardCheckResult result = spatial_forward_check(input);
-    return {result.deviation, result.deviation / scale.lift, result.theta / scale.unit_angle, result.points,
-            result.seconds};
+    ForwardCheckReport report{result.deviation, result.deviation / scale.lift,
+                              result.theta / scale.unit_angle, result.points, result.seconds};
+    if (!(cam.clearance > 0.0)) return report;
+    report.play = play_between(input);
+    for (double* const at : {&report.play->least_at, &report.play->largest_at}) *at /= scale.unit_angle;
+    return report;
 }
 
 }  // namespace camopt

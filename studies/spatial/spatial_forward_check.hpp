@@ -90,7 +90,8 @@ class FlankContact {
 
 /// Both flanks at both ends of the roller drive the follower over the whole turn: about `points` (2000)
 /// points a section (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by
-/// the lift.
+/// the lift. As if the roller filled its groove; of a groove with a clearance also its lost motion, from the
+/// same points: how far the roller itself can be moved to and fro before a section of either flank stops it.
 [[nodiscard]] ForwardCheckReport check_flanks(const Solution& solution, std::optional<int> points = {});
 
 }  // namespace camopt

@@ -27,8 +27,20 @@ def beside(law):
             f'law = "{law}"\nangle_deg = 120\nto = 0\n' + DWELL + "angle_deg = 120\n" + OBJECTIVE)
 
 
+SLIDE = ('[motion]\ntype = "DRD"\nlift_mm = 30\nrise_deg = 120\nspeed_rpm = 300\n[spline]\nsegments = 10\n[objective]\nvelocity = 0.4\n'
+         'acceleration = 0.4\njerk = 0.2\n[cam]\ntype = "cylindrical"\nfollower = "translating"\nrotation = "clockwise"\nroller_radius_mm = 10\n'
+         "roller_length_mm = 12\ncylinder_radius_mm = 50\ngroove_clearance_mm = 0.1\n[forces]\nmass_kg = 8\npreload_n = 30\n"
+         "contact_width_mm = 12\n[limits]\n")
+INDEX = ('[motion]\ntype = "DRD"\nlift_deg = 45\nrise_deg = 150\nspeed_rpm = 120\n[spline]\nsegments = 8\n[objective]\nvelocity = 1\n[cam]\n'
+         'type = "barrel"\nroller_radius_mm = 20\nroller_length_mm = 20\narm_length_mm = 120\ncenter_distance_mm = 120\n'
+         "lateral_offset_mm = 115\ngroove_clearance_mm = 0.05\n[forces]\ninertia_kg_m2 = 0.5\ncontact_width_mm = 18\n[limits]\n")
+
+
 # Name: (scene, verdict).
 TEXTS = {
+    "drum_force": (SLIDE + "contact_force_max_n = 300\n", "optimal"), "drum_force_no": (SLIDE + "contact_force_max_n = 200\n", "infeasible"),
+    "drum_torque": (SLIDE + "torque_max_nm = 4\n", "optimal"), "drum_hertz": (SLIDE + "hertz_pressure_max_mpa = 295\n", "optimal"),
+    "index_moment": (INDEX + "contact_moment_max_nm = 60\n", "optimal"), "index_hertz": (INDEX + "hertz_pressure_max_mpa = 270\n", "optimal"),
     "angles_mixed": ('[motion]\ntype = "RR"\nlift_mm = 10\nrise_deg = 100\nreturn_rad = 1.5\nspeed_rad_s = 20.94\n' + OBJECTIVE +
                      "[limits]\nvelocity_mm_s = 250\n", "optimal"),
     "pressure_rad": ('[motion]\ntype = "DRD"\nlift_mm = 20\nrise_rad = 1.2\n' + OBJECTIVE + ROLLER + "[limits]\npressure_angle_rad = 0.35\n",
@@ -76,6 +88,8 @@ TEXTS = {
 
 # (scene, what is in its scene.toml, what it is replaced by): the files then claim what is not so.
 CHANGES = [
+    ("drum_force", "force_max_n = 300", "force_max_n = 299"), ("drum_torque", "max_nm = 4", "max_nm = 3.99"),
+    ("drum_hertz", "clearance_mm = 0.1", "clearance_mm = 0.4"), ("index_hertz", "inertia_kg_m2 = 0.5", "inertia_kg_m2 = 0.52"),
     ("angles_mixed", "return_rad = 1.5", "return_rad = 1.51"), ("angles_mixed", "speed_rad_s = 20.94", "speed_rad_s = 21"),
     ("angles_mixed", "mm_s = 250", "mm_s = 251"), ("pressure_rad", "_rad = 0.35", "_rad = 0.349"), ("pressure_rad", "_rad = 0.35", "_rad = 0.351"),
     ("imperial_loads", "lbf_in = 16.5", "lbf_in = 16"), ("imperial_loads", "_ksi = 60", "_ksi = 50"),

@@ -53,7 +53,7 @@ MAY_INCLUDE["shop/sheet"] = {"core", "scene", "report", "shop/dxf"}
 MAY_INCLUDE["shop/toolpath"] = {"core", "report", "shop/nc"}
 MAY_INCLUDE["shop/disk"] = {"core", "scene", "profiles", "report", "report/surface", "shop/dxf", "shop/nc", "shop/sheet",
                              "shop/step"}
-MAY_INCLUDE["shop/spatial"] = {"core", "scene", "report", "report/spatial", "report/surface", "shop/nc", "shop/step"}
+MAY_INCLUDE["shop/spatial"] = {"core", "scene", "report", "report/spatial", "report/surface", "shop/nc", "shop/sheet", "shop/step"}
 MAY_INCLUDE["shop/exports"] = {"core", "scene", "input", "studies"} | {
     module for module in MAY_INCLUDE if module.startswith(("report", "shop/"))} | {"report/exports"}
 # Every file of a solution by its name. Includes nothing of the shop, and links it where the build has it.

@@ -91,13 +91,14 @@ KINDS = {
     "arm over a plate": ([], "scenes/linear_arm.toml", ["solver.starts=1"]),
     "barrel": (["barrel"], "scenes/barrel_paper_cup.toml", []),
     "cylinder": (["cylindrical", "translating"], "scenes/cylinder_slide.toml", []),
+    "drum": ([], "scenes/cylinder_drum.toml", ["solver.starts=1"]),
     "indexing": (["rotating"], "scenes/ocrf_indexing.toml", []),
     "infeasible": ([], "scenes/cam_infeasible.toml", []),
 }
 
 CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "advancing", "swing", "measured",
            "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve"]
-SPATIAL = ["barrel", "cylinder", "indexing"]
+SPATIAL = ["barrel", "cylinder", "drum", "indexing"]
 REMOTE = ["remote", "inverse"]
 PLATES = ["plate", "edge on a plate", "arm over a plate"]
 VALVES = ["valve", "valve in inches", "forces at every speed"]
@@ -121,7 +122,8 @@ REFUSED = [
     ("found no valve lobe", ["lobe", "lobe in inches"], [kind for kind in KINDS if kind not in VALVES]),
     ('found no motion of type "valve"', ["valves"], [kind for kind in KINDS if kind not in VALVES]),
     (r"found a scene without a \[dynamics\] table", ["dynamics"], [kind for kind in KINDS if "elastic train" not in kind]),
-    ('allowed: with cam.type = "disk"', ["drawing as SVG", "drawing as PDF", "drawing as DXF"], REMOTE + PLATES + SPATIAL),
+    ('allowed: with cam.type = "disk", "barrel" or "cylindrical"', ["drawing as SVG", "drawing as PDF", "drawing as DXF"],
+     REMOTE + PLATES),
     ("programs mill around or along a cam that turns", ["NC"], PLATES),
     ("export writes --csv, --dxf and --picture", ["STEP", "STL", "NC"], REMOTE),
     ("which is not a plane curve", ["DXF"], SPATIAL),

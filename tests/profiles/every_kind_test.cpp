@@ -71,6 +71,18 @@ void add_linkages(std::vector<Case>& all) {
     }
 }
 
+/// Every drum once more, its groove wider than its roller.
+void add_clearance(std::vector<Case>& all) {
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+        Case wide = all[i];
+        if (!cam_kind(wide.spec.type)->knows("cam", "roller_length")) continue;
+        wide.name += "_wide_groove";
+        if (wide.spec.find("groove_clearance") == nullptr)
+            wide.spec.dimensions.push_back({"groove_clearance", Dimension(4e-4), false});
+        all.push_back(std::move(wide));
+    }
+}
+
 /// One of each type, follower, form and linkage of the example scenes.
 std::vector<Case> cases() {
     std::vector<std::filesystem::path> files;
@@ -83,6 +95,7 @@ std::vector<Case> cases() {
         if (scene.cam) add(all, *scene.cam, scene.motion.lift, scene.motion.unit_angle());
     }
     add_linkages(all);
+    add_clearance(all);
     return all;
 }
 
@@ -169,8 +182,9 @@ std::vector<MechanismQuantity> quantities_of(const Trial& trial) {
     const std::vector<double> numbers = trial.of().spec.middle();
     const MechanismState state{numbers, {0.3 * trial.of().lift, 0.0, 0.0}, 0.0};
     std::vector<MechanismQuantity> all;
-    for (const MechanismQuantity which : {pressure_numerator, pressure_denominator, pitch_curvature,
-                                          cam_radius, regularity, contact_offset, normal_lever}) {
+    for (const MechanismQuantity which :
+         {pressure_numerator, pressure_denominator, pitch_curvature, cam_radius, regularity, contact_offset,
+          normal_lever, contact_radius}) {
         try {
             if (std::isfinite(trial.formulas().quantity(which, state, 0, {}).value)) all.push_back(which);
         } catch (const ModelError&) {
@@ -402,6 +416,7 @@ TEST_P(EveryKind, HasTheQuantitiesOfItsPoint) {
         expect_same(pitch_curvature, point.pitch_curvature);
         expect_same(cam_radius, point.cam_radius);
         expect_same(contact_offset, point.contact_offset);
+        expect_same(contact_radius, point.contact_radius);
         const double n = value(pressure_numerator), d = value(pressure_denominator);
         const double across = n * std::cos(point.pressure_angle) - d * std::sin(point.pressure_angle);
         EXPECT_NEAR(across, 0.0, room * std::hypot(n, d));

@@ -327,7 +327,7 @@ class Solution:
         Options are those of `camopt export` with _ for -: cutter_mm=12, direction="conventional", bore_mm, post (a
         file), points, … (`camopt list keys` lists them all). None is the default; lengths end in _mm, _in or _m."""
     def drawing(self, format: str = "pdf", **options: _Option) -> bytes:
-        """The workshop drawing of a disk cam as bytes: "pdf", "svg" or "dxf", to scale, mm. Options bore_mm, thickness_mm.
+        """The workshop drawing of a disk cam or drum as bytes: "pdf", "svg" or "dxf", to scale, mm. Options bore_mm, thickness_mm.
 
         Of the second disk of a conjugate cam: file("drawing_second.pdf")."""
     def nc(self, **options: _Option) -> str:

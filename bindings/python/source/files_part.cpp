@@ -102,7 +102,8 @@ void add_files(py::class_<SolvedScene>& type) {
                 return file(s, "drawing." + format, options);
             },
             py::arg("format") = "pdf",
-            "The workshop drawing of a disk cam as bytes: \"pdf\", \"svg\" or \"dxf\", to scale, mm. Options "
+            "The workshop drawing of a disk cam or drum as bytes: \"pdf\", \"svg\" or \"dxf\", to scale, mm. "
+            "Options "
             "bore_mm, thickness_mm.\n\nOf the second disk of a conjugate cam: file(\"drawing_second.pdf\").")
         .def(
             "nc", [](const SolvedScene& s, const py::kwargs& options) { return text(s, "cam.nc", options); },

@@ -90,7 +90,7 @@ std::string dxf(const SolvedScene& solved, double tolerance_mm) {
 }
 
 bool has_plane_cam(const SolvedScene& solved) {
-    return !cam_file_list(of(solved)).empty();
+    return has_cam_table(of(solved));
 }
 
 std::string cam_picture(const SolvedScene& solved) {

@@ -188,8 +188,8 @@ class Test:
         assert "allowed: less than 17 mm, the least radius of the cam" in said, said
         said = self.run("export", scenes / "tappet_75.toml", *none, "--drawing", "svg", status=2)
         assert 'allowed: with cam.type = "disk"' in said, said
-        said = self.run("export", scenes / "cylinder_slide.toml", *none, "--drawing", "svg", status=2)
-        assert 'allowed: with cam.type = "disk"' in said, said
+        said = self.run("export", scenes / "linear_press.toml", *none, "--drawing", "svg", status=2)
+        assert 'allowed: with cam.type = "disk", "barrel" or "cylindrical"' in said, said
         wish = ["export", self.folder / "cam_flat", "--out", self.folder / "pdf", "--drawing", "pdf"]
         if self.options.pdf:
             self.run(*wish)

@@ -209,7 +209,8 @@ TEST(StudioDownloads, AreThoseOfTheSceneAlone) {
     EXPECT_TRUE(disk.contains("nc") && disk.contains("drawing_svg") && !disk.contains("second_nc"));
     EXPECT_TRUE(files("cam_conjugate.toml").contains("second_nc"));
     const auto drum = files("barrel_paper_cup.toml");
-    EXPECT_TRUE(drum.contains("nc") && !drum.contains("drawing_svg"));
+    EXPECT_TRUE(drum.contains("nc") && drum.contains("drawing_svg"));
+    EXPECT_FALSE(files("inverse_feeder.toml").contains("drawing_svg"));
 }
 
 TEST(StudioScene, SetsAsTheCommandLineDoes) {

@@ -179,7 +179,7 @@ TEST_P(DiskSides, PressureAngleAndRadiusMatchPath) {
                 const double cosine = moved.normalized().dot(fixed_normal);
                 EXPECT_NEAR(std::abs(cosine), std::cos(point.pressure_angle), 1e-7);
                 // Side 0 pushes the follower up, side 1 pushes it down.
-                EXPECT_GT(pressing_sense(side) * cosine, 0.0);
+                EXPECT_GT((side == 0 ? 1.0 : -1.0) * cosine, 0.0);
             }
     });
 }

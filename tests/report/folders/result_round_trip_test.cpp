@@ -127,6 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"barrel_dimensions", "barrel_smallest", "lift_deg", 40.0, 8, {"solver.starts=1"}},
         {"cylinder_slide", "cylinder_slide", "lift_mm", 40.0, 8, {"solver.starts=1"}},
         {"cylinder_turn", "ocrf_indexing", "lift_deg", 45.0, 8, {"solver.starts=1"}},
+        {"drum", "cylinder_drum", "lift_mm", 40.0, 8, {"solver.starts=1"}},
         {"inverse", "inverse_feeder", "lift_in", 2.694, 8, {"solver.starts=1"}},
     }),
     [](const auto& one) { return one.param.name; });

@@ -44,7 +44,7 @@ Seen look_at(const Solution& solution, int side) {
         else
             seen.concave = std::min(seen.concave, -point.cam_radius);
         const double force =
-            pressing_sense(side) * scene.forces->force(*scene.motion.speed, state, scale.unit_angle * x);
+            (side == 0 ? 1.0 : -1.0) * scene.forces->force(*scene.motion.speed, state, scale.unit_angle * x);
         if (!(force > 0.0)) continue;
         const double lever = std::cos(point.pressure_angle) *
                              (is_oscillating(cam.follower) ? cam[DimensionIndex::arm_length] : 1.0);
