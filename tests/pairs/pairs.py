@@ -93,14 +93,18 @@ KINDS = {
     "cylinder": (["cylindrical", "translating"], "scenes/cylinder_slide.toml", []),
     "drum": ([], "scenes/cylinder_drum.toml", ["solver.starts=1"]),
     "indexing": (["rotating"], "scenes/ocrf_indexing.toml", []),
+    "given disk in inches": (["given"], "tests/pairs/given_disk.toml", []),
+    "given plate": ([], "scenes/given_wedge.toml", []),
+    "given guide": ([], "scenes/given_guide_forward.toml", []),
+    "given drum": ([], "scenes/given_drum.toml", []),
     "infeasible": ([], "scenes/cam_infeasible.toml", []),
 }
 
 CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "advancing", "swing", "measured",
            "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve"]
-SPATIAL = ["barrel", "cylinder", "drum", "indexing"]
-REMOTE = ["remote", "inverse"]
-PLATES = ["plate", "edge on a plate", "arm over a plate"]
+SPATIAL = ["barrel", "cylinder", "drum", "indexing", "given drum"]
+REMOTE = ["remote", "inverse", "given guide"]
+PLATES = ["plate", "edge on a plate", "arm over a plate", "given plate"]
 VALVES = ["valve", "valve in inches", "forces at every speed"]
 OF_CAMS = ["DXF", "drawing as SVG", "drawing as PDF", "drawing as DXF", "STEP", "STL", "picture", "NC"]
 
