@@ -13,7 +13,7 @@ namespace {
 constexpr int degree = 5, continuity = 4;
 constexpr std::size_t least_rows = 12;  // on a stretch: twice the numbers of one segment
 constexpr double first_segments = 2.0, more_segments = 1.5, rows_of_one = 2.5;
-constexpr int most_segments = 4096;
+constexpr int most_segments = 4096, most_between_breaks = 24;  // rows between breaks are exact
 constexpr int around =
     40;  // mean segments beyond either end of a periodic curve: what lies there fades by 2 each
 constexpr int refinements = 2, error_samples = 120;
@@ -184,7 +184,7 @@ struct Found {
     std::array<double, 4> variance{};
 };
 
-Found fitted(const Stretch& once, bool periodic, double advance) {
+Found fitted(const Stretch& once, bool periodic, double advance, double most) {
     const std::size_t count = once.own_rows();
     const auto rows = static_cast<double>(count);
     if (count < least_rows)
@@ -195,7 +195,7 @@ Found fitted(const Stretch& once, bool periodic, double advance) {
     std::unique_ptr<Stretch> best_rows;
     double least = infinity;
     int freedom = 0;
-    for (double segments = first_segments; segments <= most_segments; segments *= more_segments) {
+    for (double segments = first_segments; segments <= most; segments *= more_segments) {
         const double wanted = rows / segments;
         std::vector<double> breakpoints = breakpoints_of(once.joints, once.x, wanted);
         const int own = static_cast<int>(breakpoints.size()) - 1;
@@ -277,7 +277,8 @@ FittedCurve fitted_curve(const CurveRows& rows) {
     FittedCurve result{SplineCurve(SplineSpace(1, 0, {0.0, 1.0}), Eigen::MatrixXd::Zero(2, 1))};
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const Stretch stretch = stretch_between(rows, ends[i], ends[i + 1]);
-        const Found found = fitted(stretch, around_end, rows.advance);
+        const Found found = fitted(stretch, around_end, rows.advance,
+                                   rows.breaks.empty() ? most_segments : most_between_breaks);
         add_pieces(found.curve, ends[i], ends[i + 1], breakpoints, pieces);
         squares += found.squares;
         result.freedom += found.freedom;

@@ -132,7 +132,8 @@ REFUSED = [
     ("export writes --csv, --dxf and --picture", ["STEP", "STL", "NC"], REMOTE),
     ("which is not a plane curve", ["DXF"], SPATIAL),
     (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],
-     ["valve", "valve in inches", "laws on an elastic train"]),
+     ["valve", "valve in inches", "laws on an elastic train", "given plate", "given guide"]),
+    (r"found a given cam without \[objective\]", ["comparison"], ["given disk in inches"]),
 ]
 
 # What the program writes that no scene alone asks for, and the test that reads it back.
