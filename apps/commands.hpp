@@ -72,6 +72,7 @@ struct InspectRequest {
     std::string scene;                  ///< the nominal cam: file, or a result folder: then nothing is solved
     std::string table, out;             ///< file of the measured cam; folder, empty: nothing is written
     std::string columns;                ///< names between commas; empty: the first line of the table has them
+    std::vector<double> scale, offset;  ///< of each column; empty: as written
     std::vector<std::string> settings;  ///< KEY=VALUE
     std::optional<double> tolerance_um;  ///< none: no verdict
     double probe_radius_mm = 0.0;

@@ -85,6 +85,12 @@ CLI::App& add_inspect(CLI::App& program, InspectRequest& request) {
     add_option(
         command, "--columns", request.columns, "NAMES",
         "Names of the columns in the order of the file, such as theta_deg,s_mm; default: in its first line");
+    add_option(command, "--scale", request.scale, "NUMBERS",
+               "What one unit of a cell is, of each column in the unit of its name; default: 1")
+        ->delimiter(',');
+    add_option(command, "--offset", request.offset, "NUMBERS",
+               "Added to each column after --scale, in the unit of its name; default: 0")
+        ->delimiter(',');
     add_option(command, "--tolerance-um", request.tolerance_um, "T",
                "Largest deviation allowed after alignment")
         ->check(CLI::PositiveNumber);

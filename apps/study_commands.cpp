@@ -120,7 +120,8 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
 /// used as it is.
 ExitCode inspect_command(const InspectRequest& request) {
     const input::InspectedTable table = input::read_inspected_table(
-        request.table, request.columns.empty() ? std::vector<std::string>{} : column_names(request.columns));
+        request.table, {request.columns.empty() ? std::vector<std::string>{} : column_names(request.columns),
+                        request.scale, request.offset});
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;
     const Solution nominal = solved_or_read(request.scene, request.settings, [](const Scene&) {});

@@ -39,6 +39,7 @@ void read_cam(const SceneSource& source, const KnownNames& known, Scene& scene) 
     if (!kind) return scene.cam.reset();
     CamSpec cam = read_mechanism(source, *kind, scene.motion);
     cam.rotation = scene.cam->rotation;
+    cam.pieces = scene.cam->pieces;
     cam.make = kind->formulas ? kind->formulas : known.cam_formulas;
     if (!cam.make)
         source.fail_member("cam.type", fmt::format("found \"{}\", whose formulas this program does not have; "

@@ -18,7 +18,7 @@ class SceneReader {
         scene.length_unit = written_length_unit();
         read_motion(source_, known_, scene);
         check_breakpoints(scene.spline);
-        if (!source_.table("objective") && !scene.motion.prescribed() && !is_nearest())
+        if (!source_.table("objective") && !scene.motion.prescribed() && !uses("nearest") && !uses("given"))
             source_.fail({}, "objective", "missing; allowed: a [objective] table");
         check_reference();
         read_cam(source_, known_, scene);
@@ -61,15 +61,15 @@ class SceneReader {
                          "found fewer than 2 breakpoints; allowed: 2 to 65537");
     }
 
-    bool is_nearest() const {
+    bool uses(std::string_view word) const {
         const auto use = source_.find("measured", "use");
-        return use && use->value().text == "nearest";
+        return use && use->value().text == word;
     }
 
     /// measured.use = "nearest" is a weight; one that is given stays.
     void weigh_deviation(Scene& scene) const {
         ObjectiveSpec& objective = scene.objective;
-        if (!is_nearest() || objective.deviation > 0.0 || objective.deviation_rms > 0.0) return;
+        if (!uses("nearest") || objective.deviation > 0.0 || objective.deviation_rms > 0.0) return;
         (scene.measured_rows->norm == "rms" ? objective.deviation_rms : objective.deviation) = 1.0;
     }
 

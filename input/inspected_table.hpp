@@ -20,12 +20,17 @@ struct InspectedTable {
     std::vector<int> lines;             ///< of each row, from 1
 };
 
+struct InspectedForm {
+    std::vector<std::string> columns = {};  ///< their names in the order of the file; empty: its first line
+    /// Of each column, in the unit of its name: offset + scale · cell; empty: as written.
+    std::vector<double> scale = {}, offset = {};
+};
+
 /// Throws InputError, naming the file and mostly the line, for columns that are missing, cells that are not
 /// finite numbers, angles that neither ascend nor descend, fewer than 8 rows, files that cannot be read.
-/// `columns`: their names in the order of the file; empty: its first line names them.
 [[nodiscard]] InspectedTable read_inspected_table(const std::filesystem::path& file,
-                                                  const std::vector<std::string>& columns = {});
+                                                  const InspectedForm& form = {});
 [[nodiscard]] InspectedTable inspected_table_of(std::string_view text, const std::string& name,
-                                                const std::vector<std::string>& columns = {});
+                                                const InspectedForm& form = {});
 
 }  // namespace camopt::input

@@ -97,11 +97,10 @@ double zero_angle(const SceneSource& source, const MotionSpec& motion, const Mea
 constexpr double same_angle = 1e-9;
 
 /// Angles beyond the motion of one revolution, in the half revolution before or after its middle. True: some
-/// were moved.
-bool wrap(std::vector<double>& angle, const MotionSpec& motion) {
+/// were moved. `range`: of all angles, rad.
+bool wrap(std::vector<double>& angle, double range, const MotionSpec& motion) {
     const double whole = motion.length() * motion.unit_angle(), middle = 0.5 * whole;
-    const bool one_turn =
-        std::max(whole, angle.back() - angle.front()) <= units::turn + same_angle && !motion.relative;
+    const bool one_turn = std::max(whole, range) <= units::turn + same_angle && !motion.relative;
     bool moved = false;
     for (double& at : angle) {
         if (!one_turn || (at >= -same_angle && at <= whole + same_angle)) continue;
@@ -131,7 +130,8 @@ void refuse_contradicting(const MeasuredInput& input, std::size_t i, std::size_t
 }
 
 /// Ascending angles on the motion's revolution. Others stay as they are, for the scene's validation.
-void arrange(MeasuredInput& input, const MotionSpec& motion) {
+/// wraps: an angle and the same a revolution later are one.
+void arrange(MeasuredInput& input, const MotionSpec& motion, bool wraps) {
     std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
     std::vector<std::size_t>& rows = input.rows;
     for (std::size_t i = rows.size(); i < angle.size(); ++i) rows.push_back(i);
@@ -141,7 +141,11 @@ void arrange(MeasuredInput& input, const MotionSpec& motion) {
         std::ranges::reverse(displacement);
         std::ranges::reverse(rows);
     }
-    if (!std::ranges::is_sorted(angle) || !wrap(angle, motion)) return;
+    if (!wraps || !std::ranges::is_sorted(angle)) return;
+    const double range = angle.back() - angle.front();
+    wrap(input.motion.breaks, range, motion);
+    std::ranges::sort(input.motion.breaks);
+    if (!wrap(angle, range, motion)) return;
     std::vector<std::size_t> order(rows.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return angle[i]; });
@@ -186,7 +190,8 @@ MeasuredTable rows_of_table(const SceneSource& source, const KnownNames& known, 
                                            {"s", &rows.s},
                                            {"x", &rows.x},
                                            {"y", &rows.y},
-                                           {"r", &rows.r}}) {
+                                           {"r", &rows.r},
+                                           {"z", &rows.z}}) {
             if (!key.starts_with(name)) continue;
             for (const double number : numbers) target->push_back(number * unit.factor);
             scene.written[joined_key("measured", name)] = unit;
@@ -200,7 +205,10 @@ MeasuredTable rows_of_table(const SceneSource& source, const KnownNames& known, 
 /// The arrays as a table without a file.
 MeasuredTable rows_of_scene(const SceneSource& source, const Node& measured) {
     const auto x = source.find("measured", "x"), y = source.find("measured", "y"),
-               r = source.find("measured", "r"), s = r ? r : source.find("measured", "s"),
+               r = source.find("measured", "r"), z = source.find("measured", "z"),
+               s = r   ? r
+                   : z ? z
+                       : source.find("measured", "s"),
                theta = source.find("measured", "theta");
     const bool by_step = source.find("measured", "step").has_value();
     if (x.has_value() != y.has_value())
@@ -229,6 +237,16 @@ MeasuredTable rows_of_scene(const SceneSource& source, const Node& measured) {
     return rows;
 }
 
+/// Pieces of the cam are in the place of rows.
+MeasuredTable rows_of_pieces(const SceneSource& source) {
+    for (const std::string_view name :
+         {"table", "theta", "s", "x", "y", "r", "z", "step", "of", "probe_radius"})
+        if (const auto given = source.find("measured", name))
+            source.fail(given->member->place, joined_key("measured", given->member->name),
+                        "found together with cam.piece; allowed: one of the two");
+    return {};
+}
+
 RegisterRequest asked_for(const MeasuredRows& rows) {
     const auto asks = [&](const char* word) {
         return std::ranges::find(rows.registered, word) != rows.registered.end();
@@ -236,8 +254,13 @@ RegisterRequest asked_for(const MeasuredRows& rows) {
     return {asks("angle"), asks("radius")};
 }
 
-/// Points → the motion of the scene's follower.
-void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& table, MeasuredInput& input) {
+/// The motion is that of a whole revolution, which ends where it began.
+bool on_whole_turns(const MotionSpec& motion) {
+    return motion.type == MotionType::rr || (motion.periodic() && !motion.relative);
+}
+
+/// The scene's cam under its follower, with points in the form that [measured] says.
+std::shared_ptr<const CamUnderFollower> follower_on_points(const SceneSource& source, const Scene& scene) {
     const Place place = source.table("measured")->place;
     if (!scene.cam)
         source.fail(place, "measured",
@@ -255,16 +278,28 @@ void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& ta
             source.fail(given->member->place, joined_key("measured", name),
                         "found with points of the cam; allowed: with displacements; register = [\"angle\"] "
                         "finds the angle of points");
-    if (table.theta.size() != table.s.size())
-        source.fail(place, "measured",
-                    fmt::format("found {} numbers in {} and {} in {}; allowed: as many", table.theta.size(),
-                                table.theta_key, table.s.size(), table.s_key));
-    const SurfaceProbe probe = surface_probe(*scene.cam, scene.measured_rows->probe_radius);
-    SurfaceMotion motion = motion_on_surface(points_of(table), probe);
+    const MeasuredRows& rows = *scene.measured_rows;
+    const MotionSpec& motion = scene.motion;
+    return cam_under_follower(
+        *scene.cam,
+        {rows.probe_radius, rows.of == "center", rows.side - 1, on_whole_turns(motion), rows.radius},
+        motion.lift);
+}
+
+/// The motion of the scene's follower on points or pieces.
+void roll(SurfaceMotion motion, MeasuredInput& input) {
     input.motion.angle = std::move(motion.angle);
     input.motion.displacement = std::move(motion.displacement);
     input.motion.untouched = motion.untouched;
+    input.motion.breaks = std::move(motion.breaks);
     input.rows = std::move(motion.rows);
+}
+
+void require_as_many(const SceneSource& source, const MeasuredTable& table) {
+    if (table.theta.size() != table.s.size())
+        source.fail(source.table("measured")->place, "measured",
+                    fmt::format("found {} numbers in {} and {} in {}; allowed: as many", table.theta.size(),
+                                table.theta_key, table.s.size(), table.s_key));
 }
 
 /// Displacements over the angle from the start of the motion.
@@ -275,9 +310,10 @@ void place_rows(const SceneSource& source, const Scene& scene, const MeasuredTab
     require_unit_of_lift(source, written ? written->value().place : s->member->place,
                          joined_key("measured", written ? written->member->name : s->member->name),
                          table.s_unit, scene.motion);
-    if (const auto given = source.find("measured", "probe_radius"))
-        source.fail(given->member->place, "measured." + given->member->name,
-                    "found with displacements; allowed: with points of the cam");
+    for (const char* const name : {"probe_radius", "of", "side", "radius"})
+        if (const auto given = source.find("measured", name))
+            source.fail(given->member->place, "measured." + given->member->name,
+                        "found with displacements; allowed: with points of the cam");
     const bool halved = rows.angles == "crank" && table.theta_unit.unit != "crank deg";
     const double zero = zero_angle(source, scene.motion, rows),
                  factor = table.theta_unit.factor * (halved ? 0.5 : 1.0);
@@ -285,22 +321,19 @@ void place_rows(const SceneSource& source, const Scene& scene, const MeasuredTab
     for (const double lift : table.s) input.motion.displacement.push_back(lift * table.s_unit.factor);
 }
 
-void register_table(const SceneSource& source, const Scene& scene, const KnownNames& known, bool points,
-                    MeasuredMotion& measured) {
+/// on: the follower on points of the cam; null: the rows are displacements.
+void register_table(const SceneSource& source, const Scene& scene, const KnownNames& known,
+                    const CamUnderFollower* on, MeasuredMotion& measured) {
     const RegisterRequest request = asked_for(*scene.measured_rows);
     if (!request.angle && !request.radius) return;
     if (const auto zero = source.find("measured", "zero"); zero && request.angle)
         source.fail(zero->member->place, "measured.zero",
                     "found together with register = [\"angle\"], which searches it; allowed: one of the two");
     MeasuredPlace place = register_rows(scene.motion, known, request, measured);
-    place.points = points;
-    if (points && place.angle) place.angle->value *= -sense_of(scene.cam->formulas()->rotation());
-    if (points && place.zero) {
-        const FollowerGeometry follower = surface_probe(*scene.cam, 0.0).follower;
-        const double up = follower.falls ? -1.0 : 1.0;
-        place.base_radius =
-            follower.distance_at(follower.rest_position() + up * place.zero->value) - follower.roller_radius;
-    }
+    // Only a cam that turns is turned on the table; others are moved along.
+    place.points = on != nullptr && is_turning(*on);
+    if (place.points && place.angle) place.angle->value *= -sense_of(scene.cam->formulas()->rotation());
+    if (on != nullptr && place.zero) place.base_radius = base_radius_for(*on, place.zero->value);
     measured.place = std::move(place);
 }
 
@@ -335,36 +368,49 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, Scene& sce
     MeasuredInput input;
     const MeasuredRows& rows = *scene.measured_rows;
     input.motion.start = rows.use == "start";
-    MeasuredTable table =
-        rows.table.empty() ? rows_of_scene(source, *node) : rows_of_table(source, known, input, scene);
+    input.motion.given = rows.use == "given";
+    const bool pieces = scene.cam && !scene.cam->pieces.empty();
+    MeasuredTable table = pieces               ? rows_of_pieces(source)
+                          : rows.table.empty() ? rows_of_scene(source, *node)
+                                               : rows_of_table(source, known, input, scene);
     if (const auto step = source.find("measured", "step")) {
         for (std::size_t i = 0; i < table.s.size(); ++i)
             table.theta.push_back(static_cast<double>(i) * step->value().as_number());
         table.theta_unit = *step->spelling;
     }
     try {
-        if (table.is_points())
-            roll(source, scene, table, input);
-        else
+        std::shared_ptr<const CamUnderFollower> on;
+        if (pieces || table.is_points()) on = follower_on_points(source, scene);
+        if (pieces) {
+            roll(motion_on_pieces(scene.cam->pieces, *on), input);
+        } else if (on) {
+            require_as_many(source, table);
+            roll(motion_on_points(points_of(table), table.is_axial(), *on), input);
+        } else {
             place_rows(source, scene, table, input);
-        register_table(source, scene, known, table.is_points(), input.motion);
-        arrange(input, scene.motion);
+        }
+        register_table(source, scene, known, on.get(), input.motion);
+        arrange(input, scene.motion, !on || is_turning(*on) || on_whole_turns(scene.motion));
     } catch (const SceneError& error) {
         fail_in_measured(source, input, error.fault());
     }
-    judge_rows(rows.outliers == "exclude", input);
+    if (!pieces) judge_rows(rows.outliers == "exclude", input);  // those of pieces are exact
     if (!rows.name.empty()) input.motion.name = rows.name;
     return input;
 }
 
 void fail_in_measured(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault) {
     const bool theta = fault.member.starts_with("measured.theta");
-    if (!theta && !fault.member.starts_with("measured.s")) source.fail_member(fault.member, words_of(fault));
+    if (!theta && fault.member != "measured.s" && !fault.member.starts_with("measured.s["))
+        source.fail_member(fault.member, words_of(fault));
     std::optional<std::size_t> row = row_of(fault.member);
     if (row && !measured.rows.empty()) row = measured.rows.at(*row);
     if (!measured.table) {
         const char* const first = source.find("measured", "x") ? "x" : "theta";
-        const char* const second = first[0] == 'x' ? "y" : source.find("measured", "r") ? "r" : "s";
+        const char* const second = first[0] == 'x'                ? "y"
+                                   : source.find("measured", "r") ? "r"
+                                   : source.find("measured", "z") ? "z"
+                                                                  : "s";
         const char* const name = theta ? first : second;
         source.fail_member(row ? entry_key(joined_key("measured", name), *row) : joined_key("measured", name),
                            words_of(fault));

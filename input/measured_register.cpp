@@ -292,6 +292,7 @@ MeasuredPlace register_rows(const MotionSpec& motion, const KnownNames& known, R
     if (request.angle) place.angle = {found.alignment[1], found.error[1]};
     for (double& angle : measured.angle) angle -= found.alignment[1];
     for (double& displacement : measured.displacement) displacement -= found.alignment[0];
+    for (double& at : measured.breaks) at -= found.alignment[1];
     return place;
 }
 

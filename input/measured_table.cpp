@@ -81,7 +81,8 @@ struct Columns {
                 theta = Column{i, fmt::format("theta_{}", crank_column), unit_named<"crank deg">};
         if (!form.points || (s && (theta || form.by_step))) return;
         const std::optional<Column> x = column_in(names, "x");
-        const std::optional<Column> value = column_in(names, x ? "y" : "r");
+        std::optional<Column> value = column_in(names, x ? "y" : "r");
+        if (!value && !x && theta) value = column_in(names, "z");
         if (!value) return;
         s = value;
         if (x) theta = x;
@@ -219,9 +220,9 @@ class TableReader {
         of_ = Columns(names, form_);
         for (const auto& [name, numbers] : {std::pair{"scale", &form_.scale}, {"offset", &form_.offset}})
             if (!numbers->empty() && numbers->size() != columns_)
-                fail(
-                    fmt::format("{} columns with {} numbers in measured.{}", columns_, numbers->size(), name),
-                    "one number for each column");
+                fail(fmt::format("{} columns with {} numbers in {}{}", columns_, numbers->size(),
+                                 form_.any_decimal ? "--" : "measured.", name),
+                     "one number for each column");
         if (of_.theta && form_.by_step)
             fail(fmt::format("the column {} together with measured.step", of_.theta->key), "one of the two");
         if (form_.any_decimal && !of_.complete(form_)) refuse_columns(names, inspected_columns());
@@ -232,8 +233,9 @@ class TableReader {
         if (!of_.s)
             refuse_columns(
                 names, fmt::format("one of them named {}{}, {}, in the order of the file", columns_of("s"),
-                                   form_.points ? fmt::format(", or {}, or {}, of the cam",
-                                                              two_columns("x", "y"), measured_key("r"))
+                                   form_.points ? fmt::format(", or {}, or {} or {}, of the cam",
+                                                              two_columns("x", "y"), measured_key("r"),
+                                                              measured_key("z"))
                                                 : "",
                                    in_measured()));
         if (of_.theta) {
@@ -361,9 +363,11 @@ std::vector<Eigen::Vector2d> points_of(const MeasuredTable& table) {
 }
 
 InspectedTable inspected_table_of(std::string_view text, const std::string& name,
-                                  const std::vector<std::string>& columns) {
+                                  const InspectedForm& given) {
     TableForm form;
-    form.columns = columns;
+    form.columns = given.columns;
+    form.scale = given.scale;
+    form.offset = given.offset;
     form.points = form.any_decimal = true;
     const MeasuredTable read = measured_table_of(text, name, form);
     if (read.s.size() < least_inspected)
@@ -372,11 +376,10 @@ InspectedTable inspected_table_of(std::string_view text, const std::string& name
     return {name, read.is_points(), is_angle_unit(read.s_unit.unit), points_of(read), read.lines};
 }
 
-InspectedTable read_inspected_table(const std::filesystem::path& file,
-                                    const std::vector<std::string>& columns) {
+InspectedTable read_inspected_table(const std::filesystem::path& file, const InspectedForm& form) {
     const std::string name = printable(file.string());
     const FileBytes read = file_bytes(file, most_table_bytes);
-    if (read.fault.empty()) return inspected_table_of(read.bytes, name, columns);
+    if (read.fault.empty()) return inspected_table_of(read.bytes, name, form);
     throw InputError(fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns {}", name,
                                  read.fault, inspected_columns()));
 }

@@ -111,6 +111,10 @@ class MotionReader {
         refuse_keys_of_other_types(motion.valve ? "valve" : name_of(motion.type));
         check_segments();
         if (motion.valve) read_valve(source_, motion);
+        // A given cam needs no task: one stroke around the turn.
+        const bool given = scene.measured_rows && scene.measured_rows->use == "given";
+        if (given && motion.type == MotionType::program && motion.segments.empty())
+            motion.segments.push_back({SegmentKind::spline, units::turn, "", {}});
         settle_angle_ranges(source_, motion);
         check_turn(motion);
         place_states(motion);

@@ -81,11 +81,12 @@ struct MeasuredTable {
     std::vector<int> lines;        ///< of each row, from 1
 
     [[nodiscard]] bool is_polar() const { return s_key.starts_with('r'); }
+    [[nodiscard]] bool is_axial() const { return s_key.starts_with('z'); }
     /// Of the cam; else displacements of the follower.
-    [[nodiscard]] bool is_points() const { return is_polar() || theta_key.starts_with('x'); }
+    [[nodiscard]] bool is_points() const { return is_polar() || is_axial() || theta_key.starts_with('x'); }
 };
 
-/// x and y, m; of displacements the angle and the displacement, SI.
+/// x and y, m; of displacements, and of points (theta, z), the angle and the other number, SI.
 [[nodiscard]] std::vector<Eigen::Vector2d> points_of(const MeasuredTable& table);
 
 /// What the scene says about the table.
@@ -108,31 +109,54 @@ struct TableForm {
 [[nodiscard]] MeasuredTable measured_table_of(std::string_view text, const std::string& name,
                                               const TableForm& form = {});
 
-// Points of a disk cam's surface → the motion of the follower that rolls or slides on it.
+// Points of a cam → the motion of the follower that rolls or slides on it.
 //
-// Each point becomes one row. Its normal n comes from the cubic through its neighbours (core/numbers/
-// robust_fit.hpp) in polar coordinates: outliers do not turn it. A roller of radius R that touches the point
-// p there has its centre at p + R n, a face its distance p · n; the cam angle is that at which this is on the
-// follower's guide. An error δ of the normal moves the row along the motion and off it by R δ²/2 (roller) or
-// ϱ δ²/2 (face; ϱ radius of curvature): second order, while the noise of the points stays that of the rows.
-// The follower lies on the largest displacement at which it touches the surface: points at which it would cut
-// into the smoothed surface elsewhere are left out.
-struct SurfaceProbe {
-    FollowerGeometry follower;
-    double radius = 0.0;         ///< m; points are the centres of a ball that touches the surface; 0: on it
-    double roller_radius = 0.0;  ///< of the follower, m; 0: an edge or a face
-    double sense = 1.0;          ///< of the cam's rotation, seen in the follower's frame
+// Each point becomes one row. On the surface its normal n comes from the cubic through its neighbours
+// (core/numbers/robust_fit.hpp) in coordinates along the cam: outliers do not turn it. A roller of radius R
+// that touches the point p there has its centre at p + R n, a face its distance p · n; the cam angle is that
+// at which this is on the follower's guide. The centre of a roller needs no normal. An error δ of the normal
+// moves the row along the motion and off it by R δ²/2 (roller) or ϱ δ²/2 (face; ϱ radius of curvature):
+// second order, while the noise of the points stays that of the rows. The follower of a plane cam lies on the
+// largest displacement at which it touches the surface: points at which it would cut into the smoothed
+// surface elsewhere are left out.
+//
+// How a follower is mounted is what the forward check of its kind knows: FollowerGeometry (disk, linear,
+// remote; with its linkage), RollerGuide (inverse), CamFlanks (barrel, cylindrical).
+
+/// How the points lie on the cam.
+struct PointForm {
+    double probe_radius = 0.0;  ///< m; points are the centres of a ball that touches the surface; 0: on it
+    bool centers = false;       ///< of the path of the roller's centre
+    int side = 0;               ///< of a cam with two
+    bool closed = true;         ///< the motion is one of the whole revolution, and so are the points
+    std::optional<double> radius = {};  ///< m, of the cylinder with points (theta, z)
 };
 struct SurfaceMotion {
-    std::vector<double> angle, displacement;  ///< rad in [0, 2π), ascending; m or rad
+    std::vector<double> angle, displacement;  ///< rad, ascending, of a cam that turns in [0, 2π); m or rad
     std::vector<std::size_t> rows;            ///< of each row its point
     int untouched = 0;                        ///< points that the follower does not touch
+    std::vector<double> breaks = {};          ///< rad: angles where pieces join
 };
-/// Its dimensions: of ranges the middle. Throws SceneError for a cam that is not a disk.
-[[nodiscard]] SurfaceProbe surface_probe(const CamSpec& cam, double probe_radius);
-/// Points in the cam's frame, m. Throws SceneError "measured.theta[point]" where they leave a gap.
-[[nodiscard]] SurfaceMotion motion_on_surface(std::span<const Eigen::Vector2d> points,
-                                              const SurfaceProbe& probe);
+
+class CamUnderFollower;  // input/surface_points.cpp
+
+/// A cam with its dimensions (of ranges the middle), and the follower on it, which moves by `lift`. Throws
+/// SceneError where the form does not fit the cam: a side that it does not have, centres without a roller.
+[[nodiscard]] std::shared_ptr<const CamUnderFollower> cam_under_follower(const CamSpec& cam,
+                                                                         const PointForm& form, double lift);
+/// Points in the cam's frame, (x, y) or (theta, z), SI. Throws SceneError "measured.theta[point]" where they
+/// leave a gap, and "measured" for coordinates that the cam does not have.
+[[nodiscard]] SurfaceMotion motion_on_points(std::span<const Eigen::Vector2d> points, bool axial,
+                                             const CamUnderFollower& cam);
+/// Lines and arcs of the path of the roller's centre, each as rows of its exact points. Throws SceneError
+/// "cam.piece[i]" for a piece of no length, an arc with two radii, a kink, and one along which the cam angle
+/// turns back.
+[[nodiscard]] SurfaceMotion motion_on_pieces(const std::vector<CamPiece>& pieces,
+                                             const CamUnderFollower& cam);
+/// It turns about its axis.
+[[nodiscard]] bool is_turning(const CamUnderFollower& cam);
+/// What the radius of the base circle is if the motion has its displacement 0 at `zero`; none: it has none.
+[[nodiscard]] std::optional<double> base_radius_for(const CamUnderFollower& cam, double zero);
 
 /// What measured.register asks for.
 struct RegisterRequest {

@@ -83,7 +83,9 @@ struct CamKind {
     /// Whether a scene with this kind may have the key.
     [[nodiscard]] bool knows(std::string_view table, std::string_view key) const {
         const auto is_it = [&](const auto& entry) { return entry.table == table && entry.key == key; };
-        if (table == "cam" && (key == "type" || (key == "rotation" && has_rotation))) return true;
+        if (table == "cam" && (key == "type" || key == "piece" || (key == "rotation" && has_rotation)))
+            return true;
+        if (table == "cam.piece") return true;
         if (!choosing_key.empty() && table == choosing_table && key == choosing_key) return true;
         if (table.empty()) return key == choosing_table && key != "cam";
         return std::ranges::any_of(variants, [&](const CamVariant& variant) {

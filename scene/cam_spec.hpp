@@ -48,11 +48,20 @@ struct CamDimension {
     friend bool operator==(const CamDimension&, const CamDimension&) = default;
 };
 
+/// A line, or with a centre an arc, of a cam that exists: a part of the path of the roller's centre, in the
+/// cam's frame. It begins where the one before it ends. Two coordinates each, m; empty: not given.
+struct CamPiece {
+    std::vector<double> to = {}, center = {};
+    std::vector<double> from = {};  ///< of the first: its begin; not given: where the last one ends
+    friend bool operator==(const CamPiece&, const CamPiece&) = default;
+};
+
 struct CamSpec {
     std::string type;  ///< "disk", "remote", …: cam.type
     Rotation rotation = Rotation::counterclockwise;
     std::vector<CamDimension> dimensions;        ///< all of the kind, in its order; unused ones are 0
     std::map<std::string, std::string> choices;  ///< "linkage" → "lever", "form" → "grooved", …
+    std::vector<CamPiece> pieces = {};           ///< of a cam that exists, in order; empty: it is designed
     std::optional<double> face_half_width;       ///< m, of a flat face that is pushed straight: |s'| <= it
     /// m, of a round flat face: half its chord beside the contact line is then face_half_width.
     std::optional<double> face_radius;

@@ -52,6 +52,9 @@ Fault motion_fault(const Scene& scene) {
             return SceneFault{segment_key(k), "no displacement at its end",
                               "in a machine a given one: the strokes of its axes are not searched"};
     }
+    if (scene.is_given())
+        return SceneFault{"measured.use", "\"given\"",
+                          "in a machine motions that are designed: the axes of a given cam are not searched"};
     if (scene.spline.free_knots)
         return SceneFault{"spline.knots", "\"free\"", "in a machine fixed breakpoints"};
     for (const SpringNumber& number : spring_numbers)

@@ -113,8 +113,12 @@ struct MeasuredMotion {
     std::vector<double> angle;         ///< rad, ascending, over the whole motion
     std::vector<double> displacement;  ///< m; rad where the lift is an angle
     bool start = false;                ///< searches begin from it too; else it is only compared
-    std::string name = {};             ///< of the table, for people
-    int untouched = 0;                 ///< points of the cam that its follower does not touch: left out
+    /// It is the motion of a cam that exists: nothing is optimized.
+    bool given = false;
+    /// rad, of a cam of pieces: where its contact passes from one to the next, and s'' may jump.
+    std::vector<double> breaks = {};
+    std::string name = {};  ///< of the table, for people
+    int untouched = 0;      ///< points of the cam that its follower does not touch: left out
     std::vector<MeasuredOutlier> outliers = {};
     bool excluded = false;                    ///< the outliers are not among the rows
     std::optional<MeasuredPlace> place = {};  ///< only where it was searched
@@ -124,13 +128,16 @@ struct MeasuredMotion {
 /// What a scene file says about its measured motion; of a table its numbers. SI units and radians, as
 /// written: before `zero` and `registered` are looked at.
 struct MeasuredRows {
-    std::string table = {};                       ///< a file whose numbers are not here yet
-    std::vector<std::string> columns = {};        ///< of the table
-    std::string decimal = ".";                    ///< of the table
-    std::vector<double> scale = {}, offset = {};  ///< of the table, a number for each column
-    int skip_lines = 0;                           ///< of the table
-    std::vector<double> theta = {}, s = {};       ///< angles and displacements
-    std::vector<double> x = {}, y = {}, r = {};   ///< points of the cam; r with theta
+    std::string table = {};                              ///< a file whose numbers are not here yet
+    std::vector<std::string> columns = {};               ///< of the table
+    std::string decimal = ".";                           ///< of the table
+    std::vector<double> scale = {}, offset = {};         ///< of the table, a number for each column
+    int skip_lines = 0;                                  ///< of the table
+    std::vector<double> theta = {}, s = {};              ///< angles and displacements
+    std::vector<double> x = {}, y = {}, r = {}, z = {};  ///< points of the cam; r or z with theta
+    std::string of = "surface";                          ///< or "center": what the points are on
+    int side = 1;                                        ///< of a cam with two: which one they are on
+    std::optional<double> radius = {};                   ///< of the cylinder that points (theta, z) are on
     double probe_radius = 0.0;
     std::optional<double> step = {};           ///< from row to row, in place of theta
     std::string zero = "start";                ///< or "nose"
@@ -419,6 +426,8 @@ struct Scene {
         return spelling_of(key, spellings::length[length_unit == LengthUnit::inch ? 1 : 0]);
     }
 
+    /// The motion is that of a cam that exists: nothing is optimized.
+    [[nodiscard]] bool is_given() const { return measured && measured->given; }
     /// Speeds whose loads enclose those of every speed that limits on loads hold at: that of the scene first,
     /// then the ends of forces.speed_range; default from 0 where a spring loads the cam and the Hertz
     /// pressure is limited. There are forces and a speed.

@@ -8,15 +8,15 @@ namespace camopt {
 namespace {
 
 constexpr double normal_mad = 1.4826;  // standard deviation over median of magnitudes, normal errors
-constexpr double local_width = std::numbers::pi / 30.0;   // rad: there a cubic follows every law
 constexpr std::ptrdiff_t least_side = 4, most_side = 80;  // rows on either side
 constexpr int absolute_steps = 4, reweightings = 8;       // first least |off|, then the biweight
 
 /// The neighbours of one row, in units of their width.
 class Neighbours {
  public:
-    Neighbours(std::span<const double> at, std::span<const double> values, double period, std::size_t row)
-        : at_(at), values_(values), period_(period), row_(row) {
+    Neighbours(std::span<const double> at, std::span<const double> values, double period, double width,
+               std::size_t row)
+        : at_(at), values_(values), period_(period), reach_(width), row_(row) {
         for (const int side : {-1, 1}) add(side);
         for (const double x : x_) width_ = std::max(width_, std::abs(x));
     }
@@ -52,7 +52,7 @@ class Neighbours {
 
  private:
     std::span<const double> at_, values_;
-    double period_;
+    double period_, reach_;
     std::size_t row_;
     double width_ = 0.0;
     std::vector<double> x_, y_;  ///< from the row
@@ -70,7 +70,7 @@ class Neighbours {
             const std::ptrdiff_t i = row + side * k, turns = i < 0 ? -1 : i < count ? 0 : 1;
             const auto from = static_cast<std::size_t>(i - turns * count);
             const double x = at_[from] + static_cast<double>(turns) * period_ - at_[row_];
-            if (k > 2 * least_side - beyond && std::abs(x) > local_width) return;
+            if (k > 2 * least_side - beyond && std::abs(x) > reach_) return;
             x_.push_back(x);
             y_.push_back(values_[from] - values_[row_]);
         }
@@ -112,10 +112,31 @@ double spread_of(std::vector<double> values, double least) {
     return std::max(normal_mad * median_of(std::move(values)), least);
 }
 
-std::vector<LocalFit> local_fits(std::span<const double> at, std::span<const double> values, double period) {
+std::vector<LocalFit> local_fits(std::span<const double> at, std::span<const double> values, double period,
+                                 double width) {
     std::vector<LocalFit> fits;
-    for (std::size_t i = 0; i < at.size(); ++i) fits.push_back(Neighbours(at, values, period, i).fit());
+    for (std::size_t i = 0; i < at.size(); ++i)
+        fits.push_back(Neighbours(at, values, period, width, i).fit());
     return fits;
+}
+
+std::vector<LocalFit> closest_local_fits(std::span<const double> at, std::span<const double> values,
+                                         double period) {
+    constexpr int halvings = 6;
+    std::vector<LocalFit> best;
+    double least = std::numeric_limits<double>::infinity(), width = local_width;
+    for (int i = 0; i <= halvings; ++i, width *= 0.5) {
+        std::vector<LocalFit> fits = local_fits(at, values, period, width);
+        std::vector<double> off;
+        for (const LocalFit& fit : fits) off.push_back(fit.off);
+        const double most = outlying * spread_of(off);
+        double squares = 0.0;
+        for (const double one : off) squares += std::pow(std::min(std::abs(one), most), 2);
+        if (!(squares < least)) break;
+        least = squares;
+        best = std::move(fits);
+    }
+    return best;
 }
 
 std::vector<std::size_t> outliers_of(std::span<const double> values, std::span<const LocalFit> fits) {

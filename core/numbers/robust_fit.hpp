@@ -2,7 +2,7 @@
 // Statistics that outliers do not pull: medians, spreads, and the cubic through the neighbours of each row.
 #pragma once
 
-#include "core/base/standard.hpp"
+#include "core/units.hpp"
 
 namespace camopt {
 
@@ -23,11 +23,18 @@ struct LocalFit {
     double error = 1.0;  ///< standard deviation of `off` where that of the rows is 1; at ends it is larger
 };
 
-/// `at`: ascending, rad. Neighbours are the rows within 6° on either side, at least 4 and at most 80 on
+/// Within it a cubic follows every law.
+inline constexpr double local_width = 6.0 * units::degree;
+
+/// `at`: ascending, rad. Neighbours are the rows within `width` on either side, at least 4 and at most 80 on
 /// either side. period > 0: after the last row the first one follows. Fewer than 8 other rows: value = the
 /// row.
 [[nodiscard]] std::vector<LocalFit> local_fits(std::span<const double> at, std::span<const double> values,
-                                               double period = 0.0);
+                                               double period = 0.0, double width = local_width);
+/// With the width, 6° or a half, a quarter … of it, that leaves the least errors of rows from the cubic of
+/// their neighbours (cross-validation): rows without noise need fewer neighbours.
+[[nodiscard]] std::vector<LocalFit> closest_local_fits(std::span<const double> at,
+                                                       std::span<const double> values, double period = 0.0);
 
 /// Rows more than 5 standard deviations of all rows, and of their neighbourhood, from the cubic of their
 /// neighbours. Deviations are none below 1.5 steps of the values' resolution, nor below the second

@@ -21,7 +21,7 @@ CAPTIONS = {"timing.svg": "All axes and clearances over one revolution of the ma
             "mechanism.svg": "The mechanism", "guide.svg": "The guide", "cam.svg": "The cam", "curvature.svg": "Curvature",
             "pressure_angle.svg": "Pressure angle"}
 GROUPS = [("Motions between dwells", "drd_"), ("Rise and return", "rr_"), ("Disk cams", "cam_"), ("Cams with a linkage", "tappet_"),
-          ("Plates that slide", "linear_"),
+          ("Plates that slide", "linear_"), ("Cams that exist", "given_"),
           ("Cams in three dimensions", ("barrel_", "cylinder_", "ocrf_")), ("Others", "")]
 MACHINES = "Machines of several axes"
 

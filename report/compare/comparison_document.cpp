@@ -32,7 +32,7 @@ std::string loss_words(const Row& row) {
 /// The best law that satisfies every limit; null where none does.
 const Row* best_law(const Comparison& comparison) {
     for (const Row& row : comparison.rows)
-        if (!row.is_optimum() && row.feasible && std::isfinite(row.objective)) return &row;
+        if (row.is_law() && row.feasible && std::isfinite(row.objective)) return &row;
     return nullptr;
 }
 

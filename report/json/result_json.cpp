@@ -90,22 +90,33 @@ Json measured_json(const Solution& solution) {
         place["base_radius_mm"] =
             table.place->base_radius ? number_json(millimetres_shown.of(*table.place->base_radius)) : Json();
     }
-    return {{"name", words_json(measured.name)},
-            {"rows", measured.rows},
-            {"free_numbers", measured.freedom},
-            {"follows_noise", follows_noise(measured)},
-            {"largest_error_" + output.name, number_json(measured.largest_error * output.per_normalised)},
-            {"rms_error_" + output.name, number_json(measured.rms_error * output.per_normalised)},
-            {"at_deg", number_json(measured.at * units.degrees_per_x)},
-            {"peaks", peaks_json(measured.peaks)},
-            {"objective", number_json(measured.objective)},
-            {"gain_percent", number_json(gain_percent(solution))},
-            {"nearest_laws", laws},
-            {"outliers", outliers},
-            {"outliers_excluded", table.excluded},
-            {"untouched_points", table.untouched},
-            {"register", place},
-            {"started", measured.started}};
+    Json json = {
+        {"name", words_json(measured.name)},
+        {"rows", measured.rows},
+        {"free_numbers", measured.freedom},
+        {"follows_noise", follows_noise(measured)},
+        {"largest_error_" + output.name, number_json(measured.largest_error * output.per_normalised)},
+        {"rms_error_" + output.name, number_json(measured.rms_error * output.per_normalised)},
+        {"at_deg", number_json(measured.at * units.degrees_per_x)},
+        {"peaks", peaks_json(measured.peaks)},
+        {"objective", number_json(measured.objective)},
+        {"gain_percent", number_json(gain_percent(solution))},
+        {"nearest_laws", laws},
+        {"outliers", outliers},
+        {"outliers_excluded", table.excluded},
+        {"untouched_points", table.untouched},
+        {"register", place},
+        {"started", measured.started}};
+    if (measured.noise) {
+        Json errors;
+        for (std::size_t order = 0; order < measured.noise->error.size(); ++order) {
+            const MotionUnit& unit = units.motion[order].first;
+            errors[unit.name] = number_json(measured.noise->error[order] * unit.per_normalised);
+        }
+        json["noise_of_one_row_" + output.name] = number_json(measured.noise->row * output.per_normalised);
+        json["standard_errors"] = errors;
+    }
+    return json;
 }
 
 Json constraints_json(const Solution& solution) {

@@ -146,6 +146,11 @@ Table measured_table(const Solution& solution) {
                   {"largest error", motion_cell(unit, measured.largest_error, 3)},
                   {"at", Cell(solution.scene.motion.master_angle(measured.at), degrees_shown)},
                   {"rms error", motion_cell(unit, measured.rms_error, 3)}};
+    if (measured.noise) table.rows.push_back({"noise of one row", motion_cell(unit, measured.noise->row, 3)});
+    for (std::size_t order = 0; measured.noise && order < measured.noise->error.size(); ++order)
+        table.rows.push_back(
+            {fmt::format("standard error of the {}", derivative_names[order]),
+             motion_cell(shown_units(solution.scene).motion[order].first, measured.noise->error[order], 2)});
     return table;
 }
 
@@ -407,21 +412,56 @@ std::string table_words(const Solution& solution) {
     return text + (place.law.empty() ? "" : fmt::format(" (placed by {})", words_of(place.law)));
 }
 
+/// Of a cam of lines and arcs: where its acceleration jumps.
+std::string jump_words(const Solution& solution) {
+    constexpr double rounding = 1e-6;  // of the largest acceleration
+    const Motion& motion = *solution.measured->motion;
+    const std::vector<double> places = motion.breakpoints();
+    std::vector<double> found;
+    double largest = 0.0, peak = 0.0;
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+        const double before = motion.at(places[i], Side::left).derivative[2],
+                     after = motion.at(places[i], Side::right).derivative[2];
+        found.push_back(std::abs(before - after));
+        largest = std::max(largest, found.back());
+        peak = std::max({peak, std::abs(before), std::abs(after)});
+    }
+    const auto jumps = std::ranges::count_if(found, [&](double jump) { return jump > rounding * peak; });
+    if (jumps == 0) return {};
+    return fmt::format("; the acceleration jumps at {} joints, by {} at most: the jerk is infinite there",
+                       jumps, shown_units(solution.scene).motion[2].first.normalised_text(largest, 4));
+}
+
 }  // namespace
 
 std::string measured_sentence(const Solution& solution) {
     const MeasuredReport& measured = *solution.measured;
     const MotionUnit unit = shown_units(solution.scene).motion[0].first;
-    std::string text = fmt::format("{}: {} rows as a spline of this space, error at most {} (rms {})",
-                                   measured.name.empty() ? "measured motion" : printable(measured.name),
-                                   measured.rows, unit.normalised_text(measured.largest_error, 3),
-                                   unit.normalised_text(measured.rms_error, 3));
-    if (follows_noise(measured))
+    if (solution.scene.cam && !solution.scene.cam->pieces.empty())
+        return fmt::format("{}: {} lines and arcs, followed by a spline to {}{}{}",
+                           measured.name.empty() ? "given cam" : printable(measured.name),
+                           solution.scene.cam->pieces.size(), unit.normalised_text(measured.largest_error, 3),
+                           jump_words(solution), table_words(solution));
+    std::string text =
+        fmt::format("{}: {} rows as a spline{}, error at most {} (rms {})",
+                    measured.name.empty() ? "measured motion" : printable(measured.name), measured.rows,
+                    measured.noise ? "" : " of this space", unit.normalised_text(measured.largest_error, 3),
+                    unit.normalised_text(measured.rms_error, 3));
+    if (measured.noise) {
+        const auto& units = shown_units(solution.scene).motion;
+        text += fmt::format("; noise of one row {}; standard errors of the motion {}, {}, {}, {}",
+                            unit.normalised_text(measured.noise->row, 3),
+                            units[0].first.normalised_text(measured.noise->error[0], 2),
+                            units[1].first.normalised_text(measured.noise->error[1], 2),
+                            units[2].first.normalised_text(measured.noise->error[2], 2),
+                            units[3].first.normalised_text(measured.noise->error[3], 2));
+    }
+    if (!measured.noise && follows_noise(measured))
         text += fmt::format(
             "; with {} free numbers, more than half as many as rows, the spline follows the noise of the "
             "table: fewer spline.segments smooth it",
             measured.freedom);
-    if (const std::optional<double> gain = gain_percent(solution))
+    if (const std::optional<double> gain = measured.noise ? std::nullopt : gain_percent(solution))
         text +=
             fmt::format("; the optimum's objective is {} % {} than its {}", short_text(std::abs(*gain), 3),
                         *gain < 0.0 ? "more" : "less", short_text(*measured.objective));

@@ -192,7 +192,8 @@ std::vector<Curve> motion_curves(const View& view) {
         if (shown.beside) curve.beside_factor = shown.beside->per_normalised / unit.per_normalised;
         curve.normalised_factor = 1.0 / unit.per_normalised;
         if (law != nullptr) curve.reference = ComparedCurve{reference.title, view.along(*law, unit)};
-        if (measured != nullptr) curve.measured = ComparedCurve{"measured", view.along(*measured, unit)};
+        if (measured != nullptr && !view.solution.measured->noise)  // of a given cam it is the motion itself
+            curve.measured = ComparedCurve{"measured", view.along(*measured, unit)};
         if (measured != nullptr && order == 0) curve.points = thinned(table_points(view));
         curve.limits = limits_of(view, unit);
         curve.marks = peak_marks(view, unit, row);

@@ -79,6 +79,16 @@ std::string interrupted_sentence(const Solution& solution) {
                        not_optimal_words(solution.certificate));
 }
 
+/// Of the motion of a given cam: its limits.
+std::string given_words(const Solution& solution) {
+    if (solution.constraints.empty()) return "the scene has no limits";
+    const std::vector<std::string> violated = violated_limits(solution);
+    if (violated.empty()) return "every limit is satisfied";
+    return fmt::format("it violates {}",
+                       listed(
+                           violated, ", ", [](const std::string& key) { return key; }, " and "));
+}
+
 }  // namespace
 
 std::string gap_words(const Certificate& certificate) {
@@ -106,6 +116,8 @@ std::string verdict_sentence(const Solution& solution) {
     if (certificate.verdict == Verdict::feasible && !solution.machine.empty())
         return fmt::format("An axis of a machine, solved with all the others: {}. Every limit is satisfied.",
                            solution.machine);
+    if (certificate.reason == Reason::given_cam)
+        return fmt::format("The motion of a given cam, nothing to optimize; {}.", given_words(solution));
     if (was_interrupted(certificate)) return interrupted_sentence(solution);
     if (solution.scene.motion.prescribed()) {
         const bool kept = certificate.verdict == Verdict::optimal;
@@ -178,6 +190,9 @@ VerdictWords verdict_words(const Solution& solution) {
                     "It satisfies every limit. " +
                         (gap.empty() ? "A quite different motion may still be better." : proved)};
         case Verdict::feasible:
+            if (certificate.reason == Reason::given_cam)
+                return {violated_limits(solution).empty() ? "good" : "bad", "The motion of a given cam",
+                        verdict_sentence(solution)};
             if (!solution.machine.empty())
                 return {"good", "An axis of a machine",
                         "It satisfies every limit. All axes were solved together: " + solution.machine +

@@ -93,26 +93,6 @@ Fault end_fault(const MotionSpec& motion) {
                       "0, where it began, or no `to`, or motion.closed = false"};
 }
 
-/// A program whose every displacement is free or 0 is solved by a dwell: it prescribes nothing.
-Fault idle_fault(const MotionSpec& motion) {
-    const auto moves = [](const ProgramSegment& segment) {
-        return segment.to.value_or(0.0) != 0.0 || std::ranges::any_of(segment.via, [](const SetPoint& point) {
-                   return point.displacement.value_or(0.0) != 0.0 || point.velocity.value_or(0.0) != 0.0 ||
-                          point.acceleration.value_or(0.0) != 0.0;
-               });
-    };
-    if (std::ranges::any_of(motion.segments, moves)) return std::nullopt;
-    const auto first = std::ranges::find_if(
-        motion.segments, [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
-    const auto others = std::count_if(first + 1, motion.segments.end(),
-                                      [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
-    const bool alone = motion.closed && others == 0;  // each rise has its return
-    return SceneFault{segment_key(std::distance(motion.segments.begin(), first), "to"),
-                      "a program in which nothing has to move: every displacement is 0 or free",
-                      alone ? "two segments that move, the first with `to`, or motion.closed = false"
-                            : "a displacement other than 0 for at least one segment (lifts: `to = 1`)"};
-}
-
 /// Without a spline every law says where it ends.
 Fault prescribed_fault(const MotionSpec& motion) {
     if (!motion.prescribed()) return std::nullopt;
@@ -175,8 +155,27 @@ Fault program_fault(const MotionSpec& motion) {
     if (Fault fault = joint_fault(motion)) return fault;
     if (Fault fault = angle_range_fault(motion)) return fault;
     if (Fault fault = turn_fault(motion)) return fault;
-    if (Fault fault = end_fault(motion)) return fault;
-    return idle_fault(motion);
+    return end_fault(motion);
+}
+
+Fault idle_fault(const MotionSpec& motion) {
+    if (motion.type != MotionType::program) return std::nullopt;
+    const auto moves = [](const ProgramSegment& segment) {
+        return segment.to.value_or(0.0) != 0.0 || std::ranges::any_of(segment.via, [](const SetPoint& point) {
+                   return point.displacement.value_or(0.0) != 0.0 || point.velocity.value_or(0.0) != 0.0 ||
+                          point.acceleration.value_or(0.0) != 0.0;
+               });
+    };
+    if (std::ranges::any_of(motion.segments, moves)) return std::nullopt;
+    const auto first = std::ranges::find_if(
+        motion.segments, [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
+    const auto others = std::count_if(first + 1, motion.segments.end(),
+                                      [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
+    const bool alone = motion.closed && others == 0;  // each rise has its return
+    return SceneFault{segment_key(std::distance(motion.segments.begin(), first), "to"),
+                      "a program in which nothing has to move: every displacement is 0 or free",
+                      alone ? "two segments that move, the first with `to`, or motion.closed = false"
+                            : "a displacement other than 0 for at least one segment (lifts: `to = 1`)"};
 }
 
 // Relations between the members of a motion.

@@ -152,7 +152,7 @@ Fault objective_fault(const Scene& scene) {
     const Reference& reference = objective.reference;
     bool weighs_dimension = false;
     if (Fault fault = dimension_weight_fault(scene, weighs_dimension)) return fault;
-    if (!weighs_dimension && !scene.motion.prescribed() && scene.own_terms.empty() &&
+    if (!weighs_dimension && !scene.motion.prescribed() && !scene.is_given() && scene.own_terms.empty() &&
         std::ranges::none_of(cost_terms(),
                              [&](const CostTerm& term) { return term.weight_in(objective) > 0.0; }) &&
         std::ranges::none_of(response_terms(),
@@ -175,6 +175,8 @@ Fault objective_fault(const Scene& scene) {
 std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = number_fault(scene)) return fault;
     if (Fault fault = motion_fault(scene.motion)) return fault;
+    if (!scene.is_given())
+        if (Fault fault = idle_fault(scene.motion)) return fault;
     if (Fault fault = spline_fault(scene.spline)) return fault;
     if (Fault fault = breakpoint_fault(scene)) return fault;
     if (Fault fault = free_knot_fault(scene)) return fault;

@@ -13,9 +13,11 @@ using Fault = std::optional<SceneFault>;
 /// Locations along the motion closer than this coincide; the rounding of a decimal breakpoint is far below.
 inline constexpr double same_place = 1e-12;
 
-[[nodiscard]] Fault number_fault(const Scene& scene);           ///< every number against its range
-[[nodiscard]] Fault motion_fault(const MotionSpec& motion);     ///< angles, points, members that fit the type
-[[nodiscard]] Fault program_fault(const MotionSpec& motion);    ///< segments; type program only
+[[nodiscard]] Fault number_fault(const Scene& scene);         ///< every number against its range
+[[nodiscard]] Fault motion_fault(const MotionSpec& motion);   ///< angles, points, members that fit the type
+[[nodiscard]] Fault program_fault(const MotionSpec& motion);  ///< segments; type program only
+/// A program whose every displacement is free or 0 is solved by a dwell: it prescribes nothing.
+[[nodiscard]] Fault idle_fault(const MotionSpec& motion);
 [[nodiscard]] Fault set_point_fault(const MotionSpec& motion);  ///< points and regions of all lists
 [[nodiscard]] Fault measured_fault(const Scene& scene);         ///< rows, order, lift of a measured motion
 [[nodiscard]] Fault cam_fault(const Scene& scene);              ///< its dimensions, members that fit its kind

@@ -39,7 +39,7 @@ Rows of_measured() {
         called("table (CSV file)", {"measured", "table", text, plain, any, {}, "none",
          "A CSV file in the scene's folder (or a path from there), also one that camopt wrote. Its first line names "
          "the columns, in any order: `theta_deg`, `theta_rad` or `crank_deg`, the angle, and `s_mm`, `s_in`, `s_m`, "
-         "`s_deg` or `s_rad`, or of points of a disk cam `x_mm` and `y_mm`, or `r_mm` (`_in`, `_m`) and the angle; "
+         "`s_deg` or `s_rad`, or of points of a cam `x_mm` and `y_mm`, or `r_mm` or `z_mm` (`_in`, `_m`) and the angle; "
          "others are ignored.", in_rows(&MeasuredRows::table)}),
         {"measured", "columns", texts, plain, any, {}, "the file's first line",
          "Names of the columns, in the order of the file: of a file without such a line, or in place of it.",
@@ -61,13 +61,24 @@ Rows of_measured() {
         {"measured", "s", numbers, lift, any, {}, "none", "The displacements at these angles.",
          in_rows(&MeasuredRows::s), Availability::now, "table"},
         {"measured", "x", numbers, length, any, {}, "none",
-         "With `y`: points of the surface of the disk cam of `[cam]`, which become the motion of its follower. In the "
-         "cam's frame: at cam angle 0 a pushed follower rises along +y, the pivot of a swinging one lies on +x.",
+         "With `y`: points of the plane cam of `[cam]`, which become the motion of its follower. In the cam's frame: of a "
+         "disk at cam angle 0 a pushed follower rises along +y, the pivot of a swinging one lies on +x.",
          in_rows(&MeasuredRows::x), Availability::needs_cam, "table"},
         {"measured", "y", numbers, length, any, {}, "none", "With `x`.", in_rows(&MeasuredRows::y), Availability::needs_cam, "table"},
         {"measured", "r", numbers, length, positive, {}, "none",
          "Such points in polar coordinates, with `theta` from +x counterclockwise.", in_rows(&MeasuredRows::r),
          Availability::needs_cam, "table"},
+        {"measured", "z", numbers, length, any, {}, "none",
+         "Of a three-dimensional cam, with `theta` about its axis: points of a flank, or of the groove's middle, on a "
+         "cylinder about the axis.", in_rows(&MeasuredRows::z), Availability::needs_cam, "table"},
+        {"measured", "of", text, plain, any, {"surface", "center"}, "\"surface\"",
+         "What the points are on: the surface that the follower touches, or the path of the roller's centre (of a "
+         "groove its middle).", in_rows(&MeasuredRows::of), Availability::needs_cam},
+        {"measured", "side", integer, plain, Range::between(1, 2), {}, "1",
+         "Of a cam with two sides (flanks of a groove, walls of a guide, conjugate disks): the one that the points are "
+         "on, in the order of the reports.", in_rows(&MeasuredRows::side), Availability::needs_cam},
+        {"measured", "radius", number, length, positive, {}, "at the roller's near end",
+         "Of the cylinder that points `theta`, `z` are on.", in_rows(&MeasuredRows::radius), Availability::needs_cam},
         {"measured", "probe_radius", number, length, not_negative, {}, "0",
          "Points are the centres of a ball of this radius that touches the cam.", in_rows(&MeasuredRows::probe_radius),
          Availability::needs_cam},
@@ -87,9 +98,10 @@ Rows of_measured() {
         {"measured", "outliers", text, plain, any, {"keep", "exclude"}, "\"keep\"",
          "Rows far from their neighbours are named in reports. `\"exclude\"`: they are not used.",
          in_rows(&MeasuredRows::outliers)},
-        called("used to", {"measured", "use", text, plain, any, {"compare", "start", "nearest"}, "\"compare\"",
+        called("used to", {"measured", "use", text, plain, any, {"compare", "start", "nearest", "given"}, "\"compare\"",
          "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too. `\"nearest\"`: the "
-         "optimum is the motion nearest to its rows (objective.deviation, or deviation_rms by `norm`).", in_rows(&MeasuredRows::use)}),
+         "optimum is the motion nearest to its rows (objective.deviation, or deviation_rms by `norm`). `\"given\"`: the "
+         "motion is that of this cam, nothing is optimized.", in_rows(&MeasuredRows::use)}),
         {"measured", "norm", text, plain, any, {"peak", "rms"}, "\"peak\"",
          "Of `\"nearest\"`: the largest deviation, or the root mean square of all.", in_rows(&MeasuredRows::norm)},
         {"measured", "name", text, plain, any, {}, "the file's", "Its name in reports.", in_rows(&MeasuredRows::name)},

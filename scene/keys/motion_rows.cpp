@@ -155,6 +155,11 @@ KeyPlace segment_to_place() {
     return place;
 }
 
+template <class Member>
+KeyPlace of_piece(Member member) {
+    return stored_in(&Scene::cam, &CamSpec::pieces, each, member);
+}
+
 // A row is read as a row.
 // clang-format off
 Rows top_level() {
@@ -295,6 +300,14 @@ Rows other_tables() {
     return {
         called("sense of rotation", {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
          "The sense in which the cam turns.", stored_in(&Scene::cam, &CamSpec::rotation)}),
+        {"cam", "piece", tables, plain, any, {}, "none",
+         "Of a cam that exists (`measured.use = \"given\"`): the lines and arcs of the path of its roller's centre, in "
+         "the cam's frame, in order.", stored_in(&Scene::cam, &CamSpec::pieces)},
+        {"cam.piece", "to", numbers, length, any, {}, "required", "x and y of its end.", of_piece(&CamPiece::to)},
+        {"cam.piece", "center", numbers, length, any, {}, "a line",
+         "Of an arc, the shorter one: x and y of its centre.", of_piece(&CamPiece::center)},
+        {"cam.piece", "from", numbers, length, any, {}, "the end of the last piece",
+         "Of the first piece: where it begins.", of_piece(&CamPiece::from)},
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", stored_in(&Scene::forces), Availability::needs_cam},
         {"", "measured", table, plain, any, {}, "none",

@@ -42,7 +42,7 @@ class MeasuredCheck {
     [[nodiscard]] Fault fault() const {
         if (Fault fault = rows_fault()) return fault;
         if (Fault fault = ends_fault()) return fault;
-        return lift_fault();
+        return table_.given ? std::nullopt : lift_fault();
     }
 
  private:
@@ -124,10 +124,30 @@ class MeasuredCheck {
     }
 };
 
+/// A given cam leaves nothing to choose.
+Fault choice_fault(const Scene& scene) {
+    const auto refuse = [](const std::string& member, const std::string& found) {
+        return SceneFault{member, found + " with measured.use = \"given\"",
+                          "a number: nothing of a given cam is searched"};
+    };
+    if (searches_angles(scene)) return refuse("motion.segments", "angles that are ranges");
+    if (scene.objective.sought) return refuse(scene.objective.sought->member(), "a number that is sought");
+    if (scene.forces && scene.forces->is_chosen()) return refuse("forces", "a spring that is a range");
+    if (scene.cam)
+        for (const CamDimension& dimension : scene.cam->dimensions)
+            if (dimension.value.is_variable()) return refuse("cam." + dimension.name, "a range");
+    return std::nullopt;
+}
+
 }  // namespace
 
 Fault measured_fault(const Scene& scene) {
-    if (scene.measured && scene.motion.prescribed())
+    if (scene.is_given())
+        if (Fault fault = choice_fault(scene)) return fault;
+    if (scene.cam && !scene.cam->pieces.empty() && !scene.is_given())
+        return SceneFault{"cam.piece", "pieces of a cam without a given motion",
+                          "only with [measured] use = \"given\""};
+    if (scene.measured && scene.motion.prescribed() && !scene.is_given())
         return SceneFault{"measured", "a measured motion in a prescribed program",
                           "a program with at least one segment of kind \"spline\", which is fitted to it"};
     for (const ResponseTerm& term : response_terms())

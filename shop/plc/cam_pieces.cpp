@@ -16,7 +16,7 @@ constexpr double same_place_degree = 1e-9;
 
 struct Stretch {
     double from = 0.0, to = 0.0;
-    CamPiece piece;
+    PolynomialPiece piece;
     double error = 0.0;
 };
 
@@ -111,7 +111,7 @@ double magnitude(const Interval& range) {
     return std::max(-range.lower, range.upper);
 }
 
-CamDifference polynomial_difference(const std::vector<double>& exact, const CamPiece& piece,
+CamDifference polynomial_difference(const std::vector<double>& exact, const PolynomialPiece& piece,
                                     const MasterStretch& stretch, int order) {
     const double h = stretch.to - stretch.from;
     const std::vector<double> about = polynomial_about(piece, stretch.from);
@@ -136,12 +136,12 @@ CamDifference polynomial_difference(const std::vector<double>& exact, const CamP
 struct LawPart {
     double from = 0.0, to = 0.0, bound = 0.0, in_the_middle = 0.0;
 
-    LawPart(const MasterCurve& curve, const CamPiece& piece, const MasterStretch& part, int order)
+    LawPart(const MasterCurve& curve, const PolynomialPiece& piece, const MasterStretch& part, int order)
         : from(part.from), to(part.to) {
         const double middle = 0.5 * (from + to), w = 0.5 * (to - from);
         const std::array<Interval, 5> over = curve.ranges(part);
         const std::array<double, 4> own = curve.at(middle, Side::left);
-        const CamPiece sizes{piece.begin, piece.end, magnitudes(piece.coefficients)};
+        const PolynomialPiece sizes{piece.begin, piece.end, magnitudes(piece.coefficients)};
         double weight = 1.0;
         for (int k = order; k < 4; ++k) {
             const double lost =
@@ -161,7 +161,7 @@ struct LawPart {
 
 /// A proved bound, above the largest value found by at most `close`. The part with the largest bound is
 /// halved, as long as it is above what is known.
-CamDifference enclosed_difference(const MasterCurve& curve, const CamPiece& piece,
+CamDifference enclosed_difference(const MasterCurve& curve, const PolynomialPiece& piece,
                                   const MasterStretch& stretch, int order, double known) {
     constexpr double close = 0.02;
     constexpr std::size_t most_parts = 4000;
@@ -183,17 +183,17 @@ CamDifference enclosed_difference(const MasterCurve& curve, const CamPiece& piec
     }
 }
 
-CamDifference difference_without_joint(const MasterCurve& curve, const CamPiece& piece,
+CamDifference difference_without_joint(const MasterCurve& curve, const PolynomialPiece& piece,
                                        const MasterStretch& stretch, int order, double known) {
     const std::vector<double> exact = curve.polynomial(stretch.from, Side::right);
     return exact.empty() ? enclosed_difference(curve, piece, stretch, order, known)
                          : polynomial_difference(exact, piece, stretch, order);
 }
 
-void check_cover(const MasterCurve& curve, const std::vector<CamPiece>& pieces) {
+void check_cover(const MasterCurve& curve, const std::vector<PolynomialPiece>& pieces) {
     if (pieces.empty()) throw InputError("an electronic cam: found no piece");
     double reached = 0.0;
-    for (const CamPiece& piece : pieces) {
+    for (const PolynomialPiece& piece : pieces) {
         if (std::abs(piece.begin - reached) > same_joint_degree || !(piece.end > piece.begin))
             throw InputError(fmt::format("an electronic cam: a piece from {} to {} deg after {} deg",
                                          piece.begin, piece.end, reached));
@@ -206,7 +206,7 @@ void check_cover(const MasterCurve& curve, const std::vector<CamPiece>& pieces) 
 
 }  // namespace
 
-double value_of(const CamPiece& piece, double theta, int order) {
+double value_of(const PolynomialPiece& piece, double theta, int order) {
     const double t = theta - piece.begin;
     double value = 0.0;
     for (int k = piece.degree(); k >= order; --k) {
@@ -217,7 +217,7 @@ double value_of(const CamPiece& piece, double theta, int order) {
     return value;
 }
 
-std::vector<double> polynomial_about(const CamPiece& piece, double theta) {
+std::vector<double> polynomial_about(const PolynomialPiece& piece, double theta) {
     std::vector<double> coefficients;
     double factorial = 1.0;
     for (int k = 0; k <= piece.degree(); ++k) {
@@ -230,11 +230,11 @@ std::vector<double> polynomial_about(const CamPiece& piece, double theta) {
 // What the controller would make of the numbers without rounding: differences of near ones lose digits.
 using Wide = long double;
 
-CamPiece line_between(const EndState& from, const EndState& to) {
+PolynomialPiece line_between(const EndState& from, const EndState& to) {
     return {from.theta, to.theta, {from.s, (to.s - from.s) / (to.theta - from.theta)}};
 }
 
-CamPiece cubic_between(const EndState& from, const EndState& to) {
+PolynomialPiece cubic_between(const EndState& from, const EndState& to) {
     const Wide h = Wide(to.theta) - from.theta, rise = Wide(to.s) - from.s;
     const Wide v0 = from.v, v1 = to.v;
     return {from.theta,
@@ -243,7 +243,7 @@ CamPiece cubic_between(const EndState& from, const EndState& to) {
              static_cast<double>((v0 + v1 - 2 * rise / h) / (h * h))}};
 }
 
-CamPiece quintic_between(const EndState& from, const EndState& to) {
+PolynomialPiece quintic_between(const EndState& from, const EndState& to) {
     const Wide h = Wide(to.theta) - from.theta;
     // What the parabola of the begin leaves open at the end, each by its own power of h.
     const Wide s = to.s - (from.s + h * (from.v + h * from.a / 2));
@@ -257,7 +257,7 @@ CamPiece quintic_between(const EndState& from, const EndState& to) {
              static_cast<double>((6 * s - 3 * v + a / 2) / (cube * h * h))}};
 }
 
-std::vector<CamPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& options) {
+std::vector<PolynomialPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& options) {
     const std::vector<double> joints = joints_of(curve, options);
     std::vector<Stretch> stretches;
     for (std::size_t i = 1; i < joints.size(); ++i)
@@ -277,7 +277,7 @@ std::vector<CamPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& 
         }
     }
     std::ranges::sort(stretches, {}, &Stretch::from);
-    std::vector<CamPiece> pieces(stretches.size());
+    std::vector<PolynomialPiece> pieces(stretches.size());
     std::ranges::transform(stretches, pieces.begin(), &Stretch::piece);
     return pieces;
 }
@@ -354,7 +354,7 @@ bool MasterCurve::closes() const {
     return std::abs(travel()) <= same_displacement * lift_;
 }
 
-CamDifference largest_difference(const MasterCurve& curve, const CamPiece& piece,
+CamDifference largest_difference(const MasterCurve& curve, const PolynomialPiece& piece,
                                  const MasterStretch& stretch, int order, double known) {
     CamDifference largest{0.0, stretch.from};
     const auto add = [&](const MasterStretch& part) {
@@ -371,7 +371,7 @@ CamDifference largest_difference(const MasterCurve& curve, const CamPiece& piece
     return largest;
 }
 
-std::array<CamDifference, 4> cam_loss(const MasterCurve& curve, const std::vector<CamPiece>& pieces,
+std::array<CamDifference, 4> cam_loss(const MasterCurve& curve, const std::vector<PolynomialPiece>& pieces,
                                       int orders) {
     check_cover(curve, pieces);
     const auto joint_at = [&](double theta) {  // the motion's own where the table means it
@@ -380,7 +380,7 @@ std::array<CamDifference, 4> cam_loss(const MasterCurve& curve, const std::vecto
         return theta;
     };
     std::array<CamDifference, 4> largest;
-    for (const CamPiece& piece : pieces) {
+    for (const PolynomialPiece& piece : pieces) {
         const MasterStretch stretch{joint_at(piece.begin), joint_at(piece.end)};
         for (int order = 0; order < orders; ++order)
             keep_larger(largest[order],

@@ -65,7 +65,7 @@ class MasterCurve {
     std::vector<double> breakpoints_, places_;  ///< deg, and x of each
 };
 
-struct CamPiece {
+struct PolynomialPiece {
     double begin = 0.0, end = 0.0;
     std::vector<double> coefficients;  ///< c_k: s = Σ c_k (θ − begin)^k
 
@@ -73,17 +73,17 @@ struct CamPiece {
 };
 
 /// The derivative of that order.
-[[nodiscard]] double value_of(const CamPiece& piece, double theta, int order = 0);
+[[nodiscard]] double value_of(const PolynomialPiece& piece, double theta, int order = 0);
 /// c_k about another angle: s(θ + t) = Σ c_k t^k.
-[[nodiscard]] std::vector<double> polynomial_about(const CamPiece& piece, double theta);
+[[nodiscard]] std::vector<double> polynomial_about(const PolynomialPiece& piece, double theta);
 
 /// States at an end: s, s', s''.
 struct EndState {
     double theta = 0.0, s = 0.0, v = 0.0, a = 0.0;
 };
-[[nodiscard]] CamPiece line_between(const EndState& from, const EndState& to);     ///< s
-[[nodiscard]] CamPiece cubic_between(const EndState& from, const EndState& to);    ///< s and v
-[[nodiscard]] CamPiece quintic_between(const EndState& from, const EndState& to);  ///< s, v and a
+[[nodiscard]] PolynomialPiece line_between(const EndState& from, const EndState& to);     ///< s
+[[nodiscard]] PolynomialPiece cubic_between(const EndState& from, const EndState& to);    ///< s and v
+[[nodiscard]] PolynomialPiece quintic_between(const EndState& from, const EndState& to);  ///< s, v and a
 
 struct FitOptions {
     int degree = 5;                      ///< 1, 3 or 5
@@ -94,7 +94,7 @@ struct FitOptions {
 
 /// Without `points` the breakpoints of the motion are joints; a stretch on which the motion is not such a
 /// polynomial is halved until s is within 1e-8 of the lift, or until there are `most` pieces.
-[[nodiscard]] std::vector<CamPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& options);
+[[nodiscard]] std::vector<PolynomialPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& options);
 
 // How far an electronic cam is from the motion it stands for: over one revolution, not at samples.
 //
@@ -110,13 +110,14 @@ struct CamDifference {
 /// Largest |motion − piece| of the derivative of that order (0 … 3) on a stretch. Without a breakpoint of the
 /// motion inside, but where stretches between them are looked at one after another. `known`: what need not be
 /// exceeded; a smaller difference is any bound below it.
-[[nodiscard]] CamDifference largest_difference(const MasterCurve& curve, const CamPiece& piece,
+[[nodiscard]] CamDifference largest_difference(const MasterCurve& curve, const PolynomialPiece& piece,
                                                const MasterStretch& stretch, int order, double known = 0.0);
 
 /// Of the first `orders` of s, s', s'', s''' over the turn. Throws InputError where the pieces leave a gap,
 /// overlap, or do not go from 0 to the end.
 [[nodiscard]] std::array<CamDifference, 4> cam_loss(const MasterCurve& curve,
-                                                    const std::vector<CamPiece>& pieces, int orders = 4);
+                                                    const std::vector<PolynomialPiece>& pieces,
+                                                    int orders = 4);
 
 /// Largest |s|, |s'|, |s''|, |s'''| of the motion itself.
 [[nodiscard]] std::array<CamDifference, 4> cam_peaks(const MasterCurve& curve);

@@ -14,9 +14,9 @@ void check_elements(std::size_t found, std::size_t least) {
 }
 
 template <class Piece>
-std::vector<CamPiece> pieces_between(const std::vector<EndState>& points, const Piece& piece_between) {
+std::vector<PolynomialPiece> pieces_between(const std::vector<EndState>& points, const Piece& piece_between) {
     check_elements(points.size(), 2);
-    std::vector<CamPiece> pieces;
+    std::vector<PolynomialPiece> pieces;
     for (std::size_t i = 1; i < points.size(); ++i) pieces.push_back(piece_between(points[i - 1], points[i]));
     return pieces;
 }
@@ -26,7 +26,7 @@ EndState state_of(const PlcNumbers& numbers, const std::string& place = "") {
             numbers.at(place + "a")};
 }
 
-bool rests_throughout(const CamPiece& piece) {
+bool rests_throughout(const PolynomialPiece& piece) {
     for (int k = 1; k <= piece.degree(); ++k)
         if (piece.coefficients[k] != 0.0) return false;
     return true;
@@ -34,24 +34,24 @@ bool rests_throughout(const CamPiece& piece) {
 
 }  // namespace
 
-std::vector<CamPiece> quintics_between_points(const PlcReading& reading) {
+std::vector<PolynomialPiece> quintics_between_points(const PlcReading& reading) {
     std::vector<EndState> points;
     for (const PlcNumbers& point : reading.elements) points.push_back(state_of(point));
     return pieces_between(points, quintic_between);
 }
 
-std::vector<CamPiece> lines_between_points(const PlcReading& reading) {
+std::vector<PolynomialPiece> lines_between_points(const PlcReading& reading) {
     std::vector<EndState> points;
     for (const PlcNumbers& point : reading.elements) points.push_back({point.at("x"), point.at("s")});
     return pieces_between(points, line_between);
 }
 
-std::vector<CamPiece> polynomials(const PlcReading& reading) {
+std::vector<PolynomialPiece> polynomials(const PlcReading& reading) {
     check_elements(reading.elements.size(), 1);
-    std::vector<CamPiece> pieces;
+    std::vector<PolynomialPiece> pieces;
     const std::vector<PlcNumbers>& elements = reading.elements;
     for (std::size_t i = 0; i < elements.size(); ++i) {
-        CamPiece piece{elements[i].find("x").value_or(i == 0 ? 0.0 : pieces.back().end), 0.0, {}};
+        PolynomialPiece piece{elements[i].find("x").value_or(i == 0 ? 0.0 : pieces.back().end), 0.0, {}};
         if (const auto end = elements[i].find("to.x"))
             piece.end = *end;
         else
@@ -68,11 +68,12 @@ namespace {
 constexpr double profile_dwell = 2, profile_poly5 = 5;
 
 /// Pieces that end where they began, cut in two: the same polynomial twice.
-std::vector<CamPiece> cut_where_they_return(const MasterCurve& curve, const std::vector<CamPiece>& fitted) {
+std::vector<PolynomialPiece> cut_where_they_return(const MasterCurve& curve,
+                                                   const std::vector<PolynomialPiece>& fitted) {
     constexpr double no_change = 1e-6;      // of the lift
     constexpr double off_the_middle = 0.4;  // a turning point may lie in the middle
-    std::vector<CamPiece> pieces;
-    for (const CamPiece& piece : fitted) {
+    std::vector<PolynomialPiece> pieces;
+    for (const PolynomialPiece& piece : fitted) {
         const double change = value_of(piece, piece.end) - value_of(piece, piece.begin);
         if (std::abs(change) > no_change * curve.lift() || rests_throughout(piece)) {
             pieces.push_back(piece);
@@ -100,9 +101,9 @@ PlcTable siemens_table(const MasterCurve& curve, const PlcOptions& options, cons
     return table;
 }
 
-std::vector<CamPiece> siemens_elements(const PlcReading& reading) {
+std::vector<PolynomialPiece> siemens_elements(const PlcReading& reading) {
     check_elements(reading.elements.size(), 1);
-    std::vector<CamPiece> pieces;
+    std::vector<PolynomialPiece> pieces;
     for (const PlcNumbers& one : reading.elements) {
         const EndState from = state_of(one), to = state_of(one, "to.");
         const double type = one.at("profile");
@@ -119,11 +120,12 @@ std::vector<CamPiece> siemens_elements(const PlcReading& reading) {
     return pieces;
 }
 
-double siemens_number(const PlcTable&, const CamPiece& piece, double, std::string_view) {
+double siemens_number(const PlcTable&, const PolynomialPiece& piece, double, std::string_view) {
     return rests_throughout(piece) ? profile_dwell : profile_poly5;
 }
 
-double omron_number(const PlcTable& table, const CamPiece& piece, double theta, std::string_view name) {
+double omron_number(const PlcTable& table, const PolynomialPiece& piece, double theta,
+                    std::string_view name) {
     constexpr double pitch = 0.1, one_second = 1.0;
     if (name == "pitch") return pitch;
     const double whole = table.pieces.back().end, cycle = table.speed ? whole / *table.speed : one_second;
@@ -147,7 +149,7 @@ void append_omron_points(std::vector<EndState>& points, const EndState& from, co
 
 }  // namespace
 
-std::vector<CamPiece> omron_points(const PlcReading& reading) {
+std::vector<PolynomialPiece> omron_points(const PlcReading& reading) {
     check_elements(reading.elements.size(), 1);
     const double cycle = reading.rest.at("cycle"), whole = reading.elements.back().at("next.x");
     EndState from{0.0, 0.0, reading.rest.at("first.velocity"), 0.0};

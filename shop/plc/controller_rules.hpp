@@ -10,12 +10,12 @@ namespace camopt {
 // By the placeholders of elements. Each throws InputError for too few of them.
 
 /// {x}, {s}, {v}, {a} of points.
-[[nodiscard]] std::vector<CamPiece> quintics_between_points(const PlcReading& reading);
+[[nodiscard]] std::vector<PolynomialPiece> quintics_between_points(const PlcReading& reading);
 /// {x}, {s} of points.
-[[nodiscard]] std::vector<CamPiece> lines_between_points(const PlcReading& reading);
+[[nodiscard]] std::vector<PolynomialPiece> lines_between_points(const PlcReading& reading);
 /// {c0}, {c1}, … of pieces with {x}, else from the end of the piece before, to {to.x}, else to the next {x}
 /// and {end.x}.
-[[nodiscard]] std::vector<CamPiece> polynomials(const PlcReading& reading);
+[[nodiscard]] std::vector<PolynomialPiece> polynomials(const PlcReading& reading);
 
 // Siemens SIMATIC S7-1500T, library LCamHdl: an array of LCamHdl_typeAdvancedElement for
 // LCamHdl_CreateCamAdvanced.
@@ -25,9 +25,9 @@ namespace camopt {
 // and a piece that comes back to where it began is cut in two.
 [[nodiscard]] PlcTable siemens_table(const MasterCurve& curve, const PlcOptions& options,
                                      const PlcFormat& format);
-[[nodiscard]] std::vector<CamPiece> siemens_elements(const PlcReading& reading);
+[[nodiscard]] std::vector<PolynomialPiece> siemens_elements(const PlcReading& reading);
 /// {profile}
-[[nodiscard]] double siemens_number(const PlcTable& table, const CamPiece& piece, double theta,
+[[nodiscard]] double siemens_number(const PlcTable& table, const PolynomialPiece& piece, double theta,
                                     std::string_view name);
 
 // Omron NJ, NX, NY: nodes for MC_GenerateCamTable, which makes a cam table of points from them.
@@ -39,9 +39,9 @@ namespace camopt {
 //
 // A point stands every PhasePitch from the node before and at the node. Between points the table is straight,
 // so it has no acceleration. Phase 0, displacement 0 is its first point.
-[[nodiscard]] std::vector<CamPiece> omron_points(const PlcReading& reading);
+[[nodiscard]] std::vector<PolynomialPiece> omron_points(const PlcReading& reading);
 /// {velocity}, {cycle}, {pitch}
-[[nodiscard]] double omron_number(const PlcTable& table, const CamPiece& piece, double theta,
+[[nodiscard]] double omron_number(const PlcTable& table, const PolynomialPiece& piece, double theta,
                                   std::string_view name);
 
 // B&R ACP10: MC_CAMPROFILE_TYP. Polynomials of degree 6 with REAL coefficients, periods as whole units.

@@ -231,7 +231,7 @@ std::string formats_that_hold_jumps() {
     return keys;
 }
 
-void check_jumps(const PlcFormat& format, const std::vector<CamPiece>& pieces,
+void check_jumps(const PlcFormat& format, const std::vector<PolynomialPiece>& pieces,
                  const std::array<CamDifference, 4>& peaks) {
     constexpr double rounding_of_joint = 1e-6;  // of the peak: above what solvers leave of continuity
     for (std::size_t i = 1; i < pieces.size(); ++i) {
@@ -330,7 +330,7 @@ double figure_not_exceeded(double value) {
 }
 
 std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format,
-                                                     const std::vector<CamPiece>& pieces,
+                                                     const std::vector<PolynomialPiece>& pieces,
                                                      const MasterCurve& curve) {
     const std::size_t orders = format.straight_lines ? 2 : 4;
     const std::array<CamDifference, 4> found = cam_loss(curve, pieces, static_cast<int>(orders));

@@ -61,7 +61,7 @@ void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>&
 
 /// What pieces that were read of a file of that format are off the motion.
 [[nodiscard]] std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format,
-                                                                   const std::vector<CamPiece>& pieces,
+                                                                   const std::vector<PolynomialPiece>& pieces,
                                                                    const MasterCurve& curve);
 
 }  // namespace camopt

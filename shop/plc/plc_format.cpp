@@ -36,7 +36,7 @@ PlcTable prepared_table(const MasterCurve& curve, const PlcOptions& options, con
     if (format.units) table.units = format.units(curve);
     if (format.relative) {
         table.units.start = table.pieces.front().coefficients.front();
-        for (CamPiece& piece : table.pieces) piece.coefficients.front() -= table.units.start;
+        for (PolynomialPiece& piece : table.pieces) piece.coefficients.front() -= table.units.start;
     }
     return table;
 }

@@ -22,7 +22,7 @@ struct PlcOptions {
 
 /// What a writer is given.
 struct PlcTable {
-    std::vector<CamPiece> pieces;  ///< deg, mm or deg
+    std::vector<PolynomialPiece> pieces;  ///< deg, mm or deg
     PlcUnits units;
     std::optional<double> speed;      ///< deg/s of the master, where the scene has one
     std::vector<std::string> header;  ///< lines of comment
@@ -65,7 +65,7 @@ struct PlcFormat {
     std::string text_file = {};      ///< a second file with the same numbers; mostly empty
 
     /// What the controller makes of the numbers of a file.
-    std::vector<CamPiece> (*evaluate)(const PlcReading& reading) = nullptr;
+    std::vector<PolynomialPiece> (*evaluate)(const PlcReading& reading) = nullptr;
     /// The next master position that the controller can hold; none: all.
     double (*master)(double theta) = nullptr;
     /// Of the numbers in the file; none: 1 deg, 1 mm or deg.
@@ -74,11 +74,11 @@ struct PlcFormat {
     PlcTable (*prepare)(const MasterCurve& curve, const PlcOptions& options,
                         const PlcFormat& format) = nullptr;
     /// A number of the template that is not of the motion alone.
-    double (*own_number)(const PlcTable& table, const CamPiece& piece, double theta,
+    double (*own_number)(const PlcTable& table, const PolynomialPiece& piece, double theta,
                          std::string_view name) = nullptr;
 
     [[nodiscard]] std::vector<std::string> files() const;
-    [[nodiscard]] int count_of(const std::vector<CamPiece>& pieces) const {
+    [[nodiscard]] int count_of(const std::vector<PolynomialPiece>& pieces) const {
         return static_cast<int>(pieces.size()) + (counted == PlcCount::points ? 1 : 0);
     }
     /// The most pieces that a fit may make.

@@ -87,10 +87,10 @@ struct Placeholder {
     }
 };
 
-using Place = std::pair<const CamPiece&, double>;  // a piece, and where on it: deg
+using Place = std::pair<const PolynomialPiece&, double>;  // a piece, and where on it: deg
 
 /// Index: of the element; −1 outside of them.
-Place place_of(const std::vector<CamPiece>& pieces, int element, std::string_view place) {
+Place place_of(const std::vector<PolynomialPiece>& pieces, int element, std::string_view place) {
     std::size_t index = static_cast<std::size_t>(std::max(0, element));
     if (place == "next") ++index;
     if (place == "first") index = 0;
@@ -259,12 +259,12 @@ void check_agreement(const PlcFormat& format, const PlcTable& table, const PlcNu
     constexpr double same = 1e-9, same_real = 1e-6;
     constexpr double same_jerk = 1e-4;  // a quintic magnifies the jump of a joint, 1e-6 at most (plc_export)
     double size = 0.0;
-    for (const CamPiece& one : table.pieces)
+    for (const PolynomialPiece& one : table.pieces)
         size = std::max({size, std::abs(value_of(one, one.begin)), std::abs(value_of(one, one.end))});
     for (const auto& [name, found] : numbers.all) {
         const Placeholder what(name);
         const double meant = number_at(format, table, index, what);
-        const CamPiece& piece = place_of(table.pieces, index, what.place).first;
+        const PolynomialPiece& piece = place_of(table.pieces, index, what.place).first;
         double allowed = what.name == "j" ? same_jerk : what.type == "REAL" ? same_real : same;
         if (what.order >= 0) allowed *= size / std::pow(piece.end - piece.begin, what.order);
         if (what.type == "DINT") allowed = std::nextafter(what.unit(table.units), 0.0);  // as drives allow it
@@ -282,8 +282,8 @@ std::string written_file(const PlcFormat& format, const std::string& file, const
     return TemplateFile(format, file).written(table);
 }
 
-std::vector<CamPiece> read_file(const PlcFormat& format, const std::string& file, std::string_view text,
-                                const PlcUnits& units) {
+std::vector<PolynomialPiece> read_file(const PlcFormat& format, const std::string& file,
+                                       std::string_view text, const PlcUnits& units) {
     const PlcReading reading = TemplateFile(format, file).read(text, units);
     PlcTable table;
     table.pieces = format.evaluate(reading);
@@ -296,7 +296,7 @@ std::vector<CamPiece> read_file(const PlcFormat& format, const std::string& file
     if (!format.straight_lines)  // of which every number is taken
         for (const PlcNumbers& element : reading.elements) check_agreement(format, table, element, index++);
     if (!format.straight_lines) check_agreement(format, table, reading.rest, -1);
-    for (CamPiece& piece : table.pieces) piece.coefficients.front() += units.start;
+    for (PolynomialPiece& piece : table.pieces) piece.coefficients.front() += units.start;
     return table.pieces;
 }
 

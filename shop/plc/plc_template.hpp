@@ -28,7 +28,7 @@ namespace camopt {
 
 /// What the controller makes of such a file. Throws InputError where the text differs from the template in
 /// more than comments and numbers, and where its numbers contradict each other.
-[[nodiscard]] std::vector<CamPiece> read_file(const PlcFormat& format, const std::string& file,
-                                              std::string_view text, const PlcUnits& units);
+[[nodiscard]] std::vector<PolynomialPiece> read_file(const PlcFormat& format, const std::string& file,
+                                                     std::string_view text, const PlcUnits& units);
 
 }  // namespace camopt

@@ -42,8 +42,8 @@ double number_of(const std::string& cell) {
 
 /// The polynomial whose derivative of that order is the line through two rows; what lies below is not looked
 /// at.
-CamPiece line_between(double begin, double end, double first, double second, int order) {
-    CamPiece piece{begin, end, std::vector<double>(static_cast<std::size_t>(order) + 2, 0.0)};
+PolynomialPiece line_between(double begin, double end, double first, double second, int order) {
+    PolynomialPiece piece{begin, end, std::vector<double>(static_cast<std::size_t>(order) + 2, 0.0)};
     const double factorial = std::tgamma(order + 1.0);
     piece.coefficients[static_cast<std::size_t>(order)] = first / factorial;
     piece.coefficients.back() = (second - first) / (end - begin) / (factorial * (order + 1));
@@ -90,7 +90,8 @@ class TableReader {
         double largest = 0.0, first = value(0);
         for (std::size_t i = 0; i + 1 < angles_.size(); ++i) {
             const double second = value(i + 1);
-            const CamPiece piece = line_between(angles_[i], angles_[i + 1], first, second, column.order);
+            const PolynomialPiece piece =
+                line_between(angles_[i], angles_[i + 1], first, second, column.order);
             const MasterStretch stretch{angles_[i], std::min(angles_[i + 1], curve_.end())};
             largest =
                 std::max(largest, largest_difference(curve_, piece, stretch, column.order, largest).value);

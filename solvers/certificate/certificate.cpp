@@ -35,6 +35,7 @@ constexpr std::array named_reasons = {
     Named{Reason::limits_contradict, "limits_contradict"},
     Named{Reason::conditions_contradict, "conditions_contradict"},
     Named{Reason::limit_broken_at_rest, "limit_broken_at_rest"},
+    Named{Reason::given_cam, "given_cam"},
     Named{Reason::limits_within_rounding, "limits_within_rounding_of_infeasible"},
     Named{Reason::stationary, "stationary, not proved optimal"},
     Named{Reason::free_displacements, "free_displacements"},

@@ -38,6 +38,7 @@ enum class Reason {
     limits_contradict,       ///< proved: no feasible motion
     conditions_contradict,   ///< no curve of the spline space meets all the conditions
     limit_broken_at_rest,    ///< a limit is violated where the follower rests
+    given_cam,               ///< the motion is that of a cam that exists: nothing was optimized
     limits_within_rounding,  ///< "limits_within_rounding_of_infeasible": no proof for such a point
     // About the proof.
     stationary,          ///< "stationary, not proved optimal"

@@ -4,6 +4,7 @@
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/least/least_value.hpp"
+#include "studies/measured/given_motion.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/search/planned_solve.hpp"
 
@@ -246,7 +247,10 @@ SceneCheck check_scene(const Scene& scene) {
     check.plan = plan_of(posed, {.explain = true});
     (void)make_solver(check.plan.solver);
     check_native_options(check.plan.solver, complete.solver.options);
-    if (complete.measured) (void)measured_report(complete, posed.reference);  // throws: too few rows
+    if (complete.is_given())
+        (void)given_motion(complete);  // throws: too few rows
+    else if (complete.measured)
+        (void)measured_report(complete, posed.reference);  // likewise
     const CamProblem problem(posed.model);
     for (const ConditionConflict& conflict : problem.model().design.redundant())
         check.redundant.push_back(conflict.condition);

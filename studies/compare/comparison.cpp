@@ -9,6 +9,7 @@
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/laws/law_motion.hpp"
@@ -334,9 +335,55 @@ ComparisonRow compare_law(const Solution& solution, const std::string& law) {
     return law_row(bench_of(scene, solution), make_law(law), solution.certificate.objective);
 }
 
+namespace {
+
+bool weighs_anything(const Scene& scene) {
+    const ObjectiveSpec& objective = scene.objective;
+    const auto weighs = [&](const auto& term) { return term.weight_in(objective) > 0.0; };
+    return !scene.own_terms.empty() || std::ranges::any_of(cost_terms(), weighs) ||
+           std::ranges::any_of(response_terms(), weighs);
+}
+
+/// The task of a given cam: what an optimum for the same machine would do.
+Scene task_of(Scene scene) {
+    scene.measured->given = false;
+    const auto needs = [&](const ResponseTerm& term) {
+        return term.needs_measured() && term.weight_in(scene.objective) > 0.0;
+    };
+    if (std::ranges::none_of(response_terms(), needs)) scene.measured.reset();
+    if (scene.cam) scene.cam->pieces.clear();
+    return scene;
+}
+
+ComparisonRow given_row(const Bench& bench, const Solution& given, std::optional<double> optimum) {
+    ComparisonRow row;
+    row.key = given_row_key;
+    row.title = "given cam";
+    row.motion = given.motion;
+    row.peaks = given.peaks;
+    row.motion_peaks = given.motion_peaks;
+    row.objective = given.certificate.objective;
+    judge_limits(row, bench, given.motion_peaks);
+    row.feasible = violated_limits(given).empty() && given.certificate.verdict != Verdict::failed;
+    if (optimum && *optimum > 0.0 && std::isfinite(row.objective))
+        row.loss_percent = 100.0 * (row.objective / *optimum - 1.0);
+    return row;
+}
+
+}  // namespace
+
 Comparison compare(const Scene& scene, const SolveControl& control) {
     Scene complete = with_written_limits(scene);
     Comparison comparison;
+    std::optional<Solution> given;
+    if (complete.is_given()) {
+        given = solve_asked(complete, control);
+        if (!weighs_anything(complete))
+            throw InputError(
+                "compare: found a given cam without [objective]; allowed: weights, by which it, laws and the "
+                "optimum of its task are compared");
+        complete = task_of(std::move(complete));
+    }
     comparison.optimum = solve_asked(complete, control);
     const Solution& solution = comparison.optimum;
     // The laws get the optimum's angles and spring, and the number that was found for it.
@@ -351,6 +398,7 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
         if (comparison.rows.back().feasible && !complete.motion.prescribed())
             optimum = comparison.rows.back().objective;
     }
+    if (given && given->motion) comparison.rows.push_back(given_row(bench, *given, optimum));
     for (const LawInfo& info : law_catalogue()) {
         const bool takes_states = info.key == "polynomial" && any_moves_on(bench.strokes);
         if (!info.rests && !takes_states) continue;  // no rise by itself

@@ -30,8 +30,11 @@ struct NeededBase {
 /// base radius is no dimension (CamMechanism::base_radius_index), and for a limit the follower cannot have.
 [[nodiscard]] NeededBase needed_base(const Scene& scene, const DrivenMechanism& cam, const Motion& motion);
 
+/// ComparisonRow::key of the motion of a given cam.
+inline constexpr const char* given_row_key = "given";
+
 struct ComparisonRow {
-    std::string key;     ///< of the law; empty: the optimum
+    std::string key;     ///< of the law; empty: the optimum; given_row_key: the given cam
     std::string title;   ///< for people
     std::string misfit;  ///< why the law cannot make this motion at all; then nothing below is set
     std::shared_ptr<const MotionChain> motion;
@@ -47,6 +50,7 @@ struct ComparisonRow {
     std::optional<NeededBase> base;     ///< where the scene limits a cam whose base radius is a dimension
 
     [[nodiscard]] bool is_optimum() const { return key.empty(); }
+    [[nodiscard]] bool is_law() const { return !is_optimum() && key != given_row_key; }
 };
 
 struct Comparison {

@@ -119,14 +119,17 @@ std::optional<Fault> cam_fault(const Solution& solution) {
     return Fault{Reason::cam_cannot_be_built, "the cam of this motion cannot be built: " + fault};
 }
 
-std::optional<Fault> limit_fault(const Solution& solution) {
+bool is_violated(const Solution& solution, const ConstraintReport& report) {
     const CamReport* const cam = solution.cam ? &*solution.cam : nullptr;
+    const double tolerance = std::max(solution.scene.solver.tolerance, figure_rounding);
+    const bool has_value =
+        is_least_limit(report.name) ? !std::isnan(report.worst) : std::isfinite(report.worst);
+    return !has_value || !(limit_excess(report) <= tolerance * limit_scale(solution.scene, cam, report));
+}
+
+std::optional<Fault> limit_fault(const Solution& solution) {
     for (const ConstraintReport& report : solution.constraints) {
-        const bool least = is_least_limit(report.name);
-        const double tolerance = std::max(solution.scene.solver.tolerance, figure_rounding);
-        const bool has_value = least ? !std::isnan(report.worst) : std::isfinite(report.worst);
-        if (has_value && limit_excess(report) <= tolerance * limit_scale(solution.scene, cam, report))
-            continue;
+        if (!is_violated(solution, report)) continue;
         const std::string unit = report.unit.empty() ? "" : " " + report.unit;
         return Fault{Reason::limit_not_kept,
                      fmt::format("{} = {:.9g}{} is violated: {} reaches {:.9g}{} at x = {:.6g}", report.key,
@@ -233,6 +236,35 @@ double size_of(const SplineCurve& curve, int order) {
 }
 
 }  // namespace
+
+std::vector<std::string> violated_limits(const Solution& solution) {
+    std::vector<std::string> keys;
+    for (const ConstraintReport& report : solution.constraints)
+        if (is_violated(solution, report) && std::ranges::find(keys, report.key) == keys.end())
+            keys.push_back(report.key);
+    return keys;
+}
+
+void audit_given(Solution& solution) {
+    Certificate& certificate = solution.certificate;
+    certificate.verdict = Verdict::feasible;
+    certificate.reason = Reason::given_cam;
+    certificate.worst_violation = 0.0;
+    certificate.objective = defined_objective(solution);
+    const CamReport* const cam = solution.cam ? &*solution.cam : nullptr;
+    for (const ConstraintReport& report : solution.constraints)
+        if (is_violated(solution, report))
+            certificate.worst_violation = std::max(
+                certificate.worst_violation, limit_excess(report) / limit_scale(solution.scene, cam, report));
+    std::optional<Fault> fault = joint_fault(solution);
+    for (const SplineCurve* curve : curves_of(solution))
+        if (!fault) fault = coefficient_fault(*curve, solution.motion_peaks);
+    if (!fault) fault = cam_fault(solution);
+    if (!fault) return tell_of_enclosures(solution);
+    fail(certificate, fault->reason);
+    if (is_no_motion(fault->reason)) withdraw_motion(solution);
+    solution.notes.push_back(std::move(fault->note));
+}
 
 bool cam_can_be_built(const Solution& solution) {
     return !cam_fault(solution);

@@ -61,6 +61,13 @@ void drop_idle_bound(Certificate& certificate, const ObjectiveSpec& objective);
 /// Where no motion was delivered there is no objective either.
 void audit_delivered(Solution& solution);
 
+/// The same of the motion of a given cam: violated limits are no fault of it. The verdict is `feasible` for
+/// the reason given_cam, or `failed`.
+void audit_given(Solution& solution);
+
+/// Keys of the limits that the delivered motion or its cam violates by more than rounding, each once.
+[[nodiscard]] std::vector<std::string> violated_limits(const Solution& solution);
+
 /// Nothing is delivered: no motion, and nothing that was said of it.
 void withdraw_motion(Solution& solution);
 

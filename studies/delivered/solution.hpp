@@ -223,7 +223,14 @@ struct MeasuredReport {
     Peaks peaks;                                  ///< of the fit, as Solution::peaks
     std::optional<double> objective;  ///< of the fit by the scene's weights; none: not of the motion alone
     bool started = false;             ///< the search began from it too
-    std::vector<LawMatch> laws;       ///< of each stroke whose displacements are given
+    /// Of a given cam, in lifts: the standard deviation of one row, and the standard errors of the motion and
+    /// its derivatives by x (root mean squares along it).
+    struct Noise {
+        double row = 0.0;
+        std::array<double, 4> error{};
+    };
+    std::optional<Noise> noise = {};
+    std::vector<LawMatch> laws;  ///< of each stroke whose displacements are given
 };
 
 struct Solution;

@@ -63,12 +63,14 @@ SplineCurve curve_of(const ChainPart& part) {
 void report_segments(Solution& solution) {
     const MotionChain& motion = *solution.motion;
     const std::vector<StretchScale> scales = peak_scales(solution.scene);
+    const bool given = solution.scene.is_given();
     JoinedMeans means;
     for (std::size_t s = 0; s < motion.parts().size(); ++s) {
         const ChainPart& part = motion.parts()[s];
         const ProgramSegment& written = solution.scene.motion.segments[s];
-        SegmentReport report{written.kind,
-                             written.law,
+        const bool by_law = written.kind == SegmentKind::law;
+        SegmentReport report{given && by_law ? SegmentKind::spline : written.kind,
+                             given ? std::string() : written.law,
                              part.begin,
                              part.end,
                              motion.at(part.begin, Side::right).derivative[0],
@@ -81,7 +83,9 @@ void report_segments(Solution& solution) {
                                 ? -1
                                 : continuity_at(motion, first ? motion.end() : part.begin, part.begin,
                                                 first && solution.scene.motion.relative ? 0 : -1);
-        if (written.kind == SegmentKind::spline) {
+        if (given && written.kind == SegmentKind::dwell)
+            raise_peaks(solution.motion_peaks, peaks_of(curve_of(part)));
+        if (report.kind == SegmentKind::spline) {
             report.curve = curve_of(part);
             const Peaks own = peaks_of(*report.curve);
             report.peaks = normalised_peaks(own, scales[s]);
@@ -89,7 +93,7 @@ void report_segments(Solution& solution) {
             raise_peaks(solution.motion_peaks, own);
             means.add(*report.peaks, part.end - part.begin);
         }
-        if (written.kind == SegmentKind::law) {
+        if (report.kind == SegmentKind::law) {
             const std::shared_ptr<const Law> law = segment_law(solution.scene.motion, s);
             const LawStroke stroke{written.kind, law, part.begin, part.end, report.from, report.to};
             const Peaks own = law_peaks(stroke, *law, motion, solution.scene.motion.periodic());

@@ -7,6 +7,7 @@
 #include "scene/part_names.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
+#include "studies/measured/given_motion.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/search/plan.hpp"
 
@@ -20,8 +21,13 @@ namespace {
     throw InputError("the result does not belong to its scene: " + what);
 }
 
-std::shared_ptr<const Motion> shape_of(const PartRecord& part, const MotionSpec& motion, std::size_t index,
+std::shared_ptr<const Motion> shape_of(const PartRecord& part, bool given, const MotionSpec& motion,
+                                       std::size_t index,
                                        const std::vector<std::shared_ptr<const Motion>>& curves) {
+    if (given) {
+        if (!part.curve) refuse("found a part of a given motion without a spline; allowed: splines");
+        return curves.at(static_cast<std::size_t>(*part.curve));
+    }
     const ProgramSegment* const written =
         motion.type == MotionType::program ? &motion.segments[index] : nullptr;
     const bool law = !part.law.empty();
@@ -54,7 +60,7 @@ std::shared_ptr<const MotionChain> chain_of(const Scene& scene, const MotionReco
     std::vector<ChainPart> parts;
     for (std::size_t i = 0; i < record.parts.size(); ++i) {
         parts.push_back(record.parts[i].part);
-        parts.back().shape = shape_of(record.parts[i], scene.motion, i, curves);
+        parts.back().shape = shape_of(record.parts[i], scene.is_given(), scene.motion, i, curves);
     }
     return std::make_shared<const MotionChain>(std::move(parts));
 }
@@ -132,13 +138,16 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     Solution solution;
     solution.scene = scene;
     solution.reference_peaks = reference_peaks(scene);
-    solution.plan = std::make_shared<const SolvePlan>(plan(scene, {.explain = true}));
+    if (!scene.is_given()) solution.plan = std::make_shared<const SolvePlan>(plan(scene, {.explain = true}));
     if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
     take_chosen_spring(solution.scene, record);
-    if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
+    if (scene.measured)
+        solution.measured =
+            scene.is_given() ? given_motion(scene) : measured_report(scene, solution.reference_peaks);
     if (record.motion) report_delivered(solution, delivered_of(solution.scene, record));
     tell_of_run(solution, record);
     if (solution.measured && solution.motion) solution.measured->started = began_from_measured(solution);
+    if (scene.is_given()) solution.measured->peaks = solution.peaks;
     if (solution.cam && record.cam) solution.cam->forward_check = record.cam->forward_check;
     return solution;
 }

@@ -7,6 +7,7 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
+#include "studies/measured/given_motion.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/search/free_angles.hpp"
 #include "studies/search/free_knots.hpp"
@@ -23,6 +24,7 @@ namespace {
 
 Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSolutions* known,
                          const PlanOptions& options) {
+    if (scene.is_given()) return given_solution(scene);
     std::optional<MeasuredReport> measured;
     if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
     Solution solution = solve_planned(scene, timed, known, options);

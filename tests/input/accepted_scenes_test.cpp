@@ -102,7 +102,11 @@ std::map<std::string, Get> plain_members() {
         FIELD(limits.rise_pressure_angle), FIELD(limits.spring_harmonic),
         FIELD_AS("limits.spring_harmonics", limits.spring_harmonics[1]), FIELD(limits.torque_max),
         FIELD(limits.undercut_margin), FIELD_AS("measured.angle", measured->angle.at(3)),
-        FIELD_AS("measured.displacement", measured->displacement.at(3)), FIELD(measured->excluded), FIELD(measured->name),
+        FIELD_AS("measured.displacement", measured->displacement.at(3)), FIELD_AS("measured.of", measured_rows->of),
+        FIELD_AS("measured.side", measured_rows->side), FIELD(measured->given),
+        FIELD_AS("cam.piece", cam->pieces), FIELD_AS("cam.piece.to", cam->pieces.at(1).to.at(0)),
+        FIELD_AS("cam.piece.from", cam->pieces.at(0).from.at(1)),
+        FIELD_AS("cam.piece.center", cam->pieces.at(1).center.at(1)), FIELD(measured->excluded), FIELD(measured->name),
         FIELD(measured->start), FIELD_AS("measured.size", measured->angle),
         FIELD_AS("measured.zero", measured->place->zero.has_value()), FIELD(objective.acceleration), FIELD(objective.area),
         FIELD(objective.deviation), FIELD(objective.deviation_rms), FIELD(objective.dynamic_acceleration),
@@ -233,14 +237,18 @@ class ReachingMechanism final : public CamMechanism {
 };
 
 KnownNames reaching() {
-    KnownNames names = {
-        .laws = {"cycloidal", "modified_sine"},
-        .solvers = {"ipopt", "nlopt.slsqp", "structured"},
-        .cam_formulas = [](const CamSpec& spec) { return std::make_shared<ReachingMechanism>(spec); },
-        .law_shape =
-            [](const std::string&) {
-                return [](double t) { return std::array{t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t)}; };
-            }};
+    KnownNames names = {.laws = {"cycloidal", "modified_sine"},
+                        .solvers = {"ipopt", "nlopt.slsqp", "structured"},
+                        .cam_formulas = [](const CamSpec& spec) -> std::shared_ptr<const CamMechanism> {
+                            if (!spec.pieces.empty() || spec.type == "cylindrical") return cam_formulas(spec);
+                            return std::make_shared<ReachingMechanism>(spec);
+                        },
+                        .law_shape =
+                            [](const std::string&) {
+                                return [](double t) {
+                                    return std::array{t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t)};
+                                };
+                            }};
     names.folder = source_folder() + "/tests/input/accepted";
     return names;
 }

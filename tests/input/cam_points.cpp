@@ -35,6 +35,12 @@ std::vector<CamPointKey> cam_point_keys() {
         "rotation = \"counterclockwise\" }\n";
     const auto x = [](double r, double at) { return r * std::cos(at); };
     const auto y = [](double r, double at) { return r * std::sin(at); };
+    const std::string drum =
+        "objective.jerk = 1\nmotion = { type = \"DRD\", rise_rad = 2, lift_mm = 20 }\n"
+        "cam = { type = \"cylindrical\", follower = \"translating\", roller_radius_mm = 5, "
+        "roller_length_mm = 15, cylinder_radius_mm = 60 }\nmeasured.of = \"center\"\nmeasured.theta_rad = " +
+        points([](double, double at) { return at; });
+    const auto height = [](double r, double) { return r - 0.04; };
     const std::string around = knife + "measured.theta_rad = " + points([](double, double at) { return at; });
     std::vector<CamPointKey> all;
     for (const auto& [unit, size] : {std::pair("mm", 1e-3), std::pair("in", 0.0254), std::pair("m", 1.0)}) {
@@ -48,6 +54,8 @@ std::vector<CamPointKey> cam_point_keys() {
         add("x", in_unit(x), knife + "measured.y_m = " + points(y));
         add("y", in_unit(y), knife + "measured.x_m = " + points(x));
         add("r", in_unit([](double r, double) { return r; }), around);
+        add("z", in_unit(height), drum);
+        add("radius", fmt::format("{:.17g}", 0.05 / size), drum + "measured.z_m = " + points(height));
         add("probe_radius", "0", around + "measured.r_m = " + points([](double r, double) { return r; }));
     }
     return all;

@@ -81,7 +81,8 @@ TEST(SurfacePoints, GiveMotionOfEveryFollower) {
                 const CamSpec cam = cam_with(follower, rotation);
                 const double lift = lift_of(follower);
                 const SurfaceMotion motion =
-                    motion_on_surface(points_on(cam, lift, probe), surface_probe(cam, probe));
+                    motion_on_points(points_on(cam, lift, probe), false,
+                                     *cam_under_follower(cam, {.probe_radius = probe}, lift));
                 const double length = follower.oscillates ? 80 * mm : 1.0;
                 EXPECT_GT(motion.angle.size(), 690U) << follower.name;
                 for (std::size_t k = 0; k < motion.angle.size(); ++k)
@@ -100,7 +101,7 @@ TEST(SurfacePoints, NoiseRemainsThatOfThePoints) {
         const std::vector<Vector2d> points = points_on(cam, lift, 0.0, [&](int i) {
             return noise(random) + (i == 144 || i == 240 || i == 360 ? 300 * um : 0.0);
         });
-        const SurfaceMotion motion = motion_on_surface(points, surface_probe(cam, 0.0));
+        const SurfaceMotion motion = motion_on_points(points, false, *cam_under_follower(cam, {}, lift));
         std::vector<double> off;
         for (std::size_t k = 0; k < motion.angle.size(); ++k)
             off.push_back(motion.displacement[k] - state_at(motion.angle[k], lift).s);
@@ -127,18 +128,18 @@ TEST(SurfacePoints, RollerRestsOnEdgesOfHollow) {
     std::vector<Vector2d> points, fine;
     for (int i = 0; i < 720; ++i) points.push_back(point_at(units::turn * i / 720));
     for (int i = 0; i < 20000; ++i) fine.push_back(point_at(units::turn * i / 20000));
-    const SurfaceProbe probe = surface_probe(cam, 0.0);
-    const SurfaceMotion motion = motion_on_surface(points, probe);
+    const FollowerGeometry follower = cam.formulas()->follower(cam.middle(), 0).value();
+    const SurfaceMotion motion = motion_on_points(points, false, *cam_under_follower(cam, {}, 10 * mm));
     EXPECT_GT(motion.untouched, 5);
     for (std::size_t k = 0; k < motion.angle.size(); k += 3) {
         const Eigen::Rotation2Dd turn(motion.angle[k]);
         double highest = 0.0;
         for (const Vector2d& point : fine) {
             const Vector2d seen = turn * point;
-            const double across = seen.x() - probe.follower.offset, square = 100 * mm * mm - across * across;
+            const double across = seen.x() - follower.offset, square = 100 * mm * mm - across * across;
             if (square > 0.0) highest = std::max(highest, seen.y() + std::sqrt(square));
         }
-        EXPECT_NEAR(motion.displacement[k], highest - probe.follower.rest_position(), 2 * um)
+        EXPECT_NEAR(motion.displacement[k], highest - follower.rest_position(), 2 * um)
             << motion.angle[k] / degree;
     }
 }

@@ -92,14 +92,18 @@ KINDS = {
     "barrel": (["barrel"], "scenes/barrel_paper_cup.toml", []),
     "cylinder": (["cylindrical", "translating"], "scenes/cylinder_slide.toml", []),
     "indexing": (["rotating"], "scenes/ocrf_indexing.toml", []),
+    "given disk in inches": (["given"], "tests/pairs/given_disk.toml", []),
+    "given plate": ([], "scenes/given_wedge.toml", []),
+    "given guide": ([], "scenes/given_guide_forward.toml", []),
+    "given drum": ([], "scenes/given_drum.toml", []),
     "infeasible": ([], "scenes/cam_infeasible.toml", []),
 }
 
 CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "advancing", "swing", "measured",
            "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve"]
-SPATIAL = ["barrel", "cylinder", "indexing"]
-REMOTE = ["remote", "inverse"]
-PLATES = ["plate", "edge on a plate", "arm over a plate"]
+SPATIAL = ["barrel", "cylinder", "indexing", "given drum"]
+REMOTE = ["remote", "inverse", "given guide"]
+PLATES = ["plate", "edge on a plate", "arm over a plate", "given plate"]
 VALVES = ["valve", "valve in inches", "forces at every speed"]
 OF_CAMS = ["DXF", "drawing as SVG", "drawing as PDF", "drawing as DXF", "STEP", "STL", "picture", "NC"]
 
@@ -126,7 +130,8 @@ REFUSED = [
     ("export writes --csv, --dxf and --picture", ["STEP", "STL", "NC"], REMOTE),
     ("which is not a plane curve", ["DXF"], SPATIAL),
     (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],
-     ["valve", "valve in inches", "laws on an elastic train"]),
+     ["valve", "valve in inches", "laws on an elastic train", "given plate", "given guide"]),
+    (r"found a given cam without \[objective\]", ["comparison"], ["given disk in inches"]),
 ]
 
 # What the program writes that no scene alone asks for, and the test that reads it back.

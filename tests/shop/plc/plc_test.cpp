@@ -41,7 +41,7 @@ TEST(MasterCurve, CoversCycleInMachineUnits) {
 TEST(CamPieces, ReproduceCubicsAndReportLoss) {
     const MasterCurve curve = curve_of(test::sample_solution());
     for (const int degree : {3, 5}) {
-        std::vector<CamPiece> pieces = fitted_pieces(curve, {.degree = degree});
+        std::vector<PolynomialPiece> pieces = fitted_pieces(curve, {.degree = degree});
         ASSERT_EQ(pieces.size(), 5U);
         EXPECT_LT(cam_loss(curve, pieces)[0].value, 3e-13);  // rounding included
         pieces[2].coefficients[1] += 1e-3;  // the error grows along the piece, which is 22.5 deg long
@@ -55,7 +55,7 @@ TEST(CamPieces, ReproduceCubicsAndReportLoss) {
 
 TEST(CamLoss, IsFoundInsidePieces) {
     const MasterCurve curve = curve_of(test::sample_solution());
-    std::vector<CamPiece> pieces = fitted_pieces(curve, {});
+    std::vector<PolynomialPiece> pieces = fitted_pieces(curve, {});
     // t (h − t) is 0 at both ends and h²/4 in the middle.
     pieces[4].coefficients = {pieces[4].coefficients[0], 1e-3 * 270.0, -1e-3};
     const std::array<CamDifference, 4> loss = cam_loss(curve, pieces);
@@ -65,7 +65,7 @@ TEST(CamLoss, IsFoundInsidePieces) {
 
 TEST(CamLoss, RefusesPiecesNotFormingACycle) {
     const MasterCurve curve = curve_of(test::sample_solution());
-    std::vector<CamPiece> pieces = fitted_pieces(curve, {});
+    std::vector<PolynomialPiece> pieces = fitted_pieces(curve, {});
     pieces.pop_back();
     EXPECT_THROW((void)cam_loss(curve, pieces), InputError);
     EXPECT_THROW((void)cam_loss(curve, {}), InputError);
@@ -74,7 +74,7 @@ TEST(CamLoss, RefusesPiecesNotFormingACycle) {
 TEST(CamPieces, FitsLawsToTheTolerance) {
     const MasterCurve curve = curve_of(test::program_solution());  // a modified sine returns
     EXPECT_TRUE(curve.closes());
-    const std::vector<CamPiece> pieces = fitted_pieces(curve, {});
+    const std::vector<PolynomialPiece> pieces = fitted_pieces(curve, {});
     EXPECT_GT(pieces.size(), curve.breakpoints().size());
     EXPECT_LE(cam_loss(curve, pieces)[0].value, 1.001e-8 * curve.lift());
     EXPECT_GT(cam_loss(curve, fitted_pieces(curve, {.most = 9}))[0].value, 1e-8 * curve.lift());
