@@ -105,7 +105,7 @@ std::map<std::string, Get> plain_members() {
         FIELD(limits.undercut_margin), FIELD_AS("measured.angle", measured->angle.at(3)),
         FIELD_AS("measured.displacement", measured->displacement.at(3)), FIELD_AS("measured.of", measured_rows->of),
         FIELD_AS("measured.side", measured_rows->side), FIELD(measured->given),
-        FIELD_AS("cam.piece", cam->pieces), FIELD_AS("cam.piece.to", cam->pieces.at(1).to.at(0)),
+        FIELD_AS("cam.piece", cam->pieces), FIELD_AS("cam.piece.to", cam->pieces.at(0).to.at(1)),
         FIELD_AS("cam.piece.from", cam->pieces.at(0).from.at(1)),
         FIELD_AS("cam.piece.center", cam->pieces.at(1).center.at(1)), FIELD(measured->excluded), FIELD(measured->name),
         FIELD(measured->start), FIELD_AS("measured.size", measured->angle),

@@ -133,6 +133,7 @@ REFUSED = [
     ("which is not a plane curve", ["DXF"], SPATIAL),
     (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],
      ["valve", "valve in inches", "laws on an elastic train", "given plate", "given guide"]),
+    ("the acceleration jumps at", ["codesys", "twincat"], ["given plate", "given guide"]),
     (r"found a given cam without \[objective\]", ["comparison"], ["given disk in inches"]),
 ]
 

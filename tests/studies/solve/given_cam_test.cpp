@@ -224,7 +224,7 @@ pressure_angle_deg = 5
     };
     const std::array<double, 4> size = {1.0, given.motion_peaks.velocity.value,
                                         given.motion_peaks.acceleration.value, given.motion_peaks.jerk.value};
-    constexpr std::array<double, 4> allowed = {1e-12, 1e-9, 1e-7, 1e-5};
+    constexpr std::array<double, 4> allowed = {1e-11, 1e-8, 1e-6, 1e-4};
     for (int i = 0; i < 400; ++i) {
         const double x = (i + 0.5) / 400;
         constexpr long double h = 1e-3L;
