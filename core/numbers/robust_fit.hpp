@@ -2,7 +2,7 @@
 // Statistics that outliers do not pull: medians, spreads, and the cubic through the neighbours of each row.
 #pragma once
 
-#include "core/units.hpp"
+#include "core/base/standard.hpp"
 
 namespace camopt {
 
@@ -23,8 +23,8 @@ struct LocalFit {
     double error = 1.0;  ///< standard deviation of `off` where that of the rows is 1; at ends it is larger
 };
 
-/// Within it a cubic follows every law.
-inline constexpr double local_width = 6.0 * units::degree;
+/// rad: within it a cubic follows every law.
+inline constexpr double local_width = std::numbers::pi / 30.0;
 
 /// `at`: ascending, rad. Neighbours are the rows within `width` on either side, at least 4 and at most 80 on
 /// either side. period > 0: after the last row the first one follows. Fewer than 8 other rows: value = the
