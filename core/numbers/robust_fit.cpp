@@ -5,6 +5,8 @@
 
 namespace camopt {
 
+const double local_width = std::numbers::pi / 30.0;
+
 namespace {
 
 constexpr double normal_mad = 1.4826;  // standard deviation over median of magnitudes, normal errors

@@ -23,8 +23,8 @@ struct LocalFit {
     double error = 1.0;  ///< standard deviation of `off` where that of the rows is 1; at ends it is larger
 };
 
-/// rad: within it a cubic follows every law.
-inline constexpr double local_width = std::numbers::pi / 30.0;
+/// 6°, rad: within it a cubic follows every law.
+extern const double local_width;
 
 /// `at`: ascending, rad. Neighbours are the rows within `width` on either side, at least 4 and at most 80 on
 /// either side. period > 0: after the last row the first one follows. Fewer than 8 other rows: value = the
