@@ -7,17 +7,13 @@ the opposite sign where c < 0): rows on y'. An arm of length l at the angle p ha
 the limit that is convex in (p, p'), and tangents are added where the motion passes it. Verdicts must be the same, objectives agree to
 1e-7, and scripts/verify-certificate must confirm every result.
 """
-import argparse
-import json
 import math
-import random
 import sys
-import tempfile
-from pathlib import Path
 
 import numpy
 
 import checker
+import program_trials
 from bounds_lp_test import SAME, Program
 
 FOLLOWERS = ("translating_roller", "translating_knife", "oscillating_roller")
@@ -25,7 +21,6 @@ PASSED = 1e-9      # of a pressure angle's excess, in parts of c
 PLACES = 24        # of each piece that a pressure angle is looked at
 MOST_CUTS = 200
 MOST_UNDECIDED = 0.15  # of the scenes
-MOST_SKIPPED = 0.1  # of the scenes: HiGHS solves none of their programs
 
 
 class Scene:
@@ -157,64 +152,20 @@ class PlateProgram(Program):
         return max((low, high), key=at)
 
 
-SKIPPED, UNDECIDED = "skipped", "undecided"
-
-
-def judged(module, camopt, place, index, scene):
+def judged(module, camopt, folder, scene):
     """What is wrong with a scene; None: nothing."""
-    folder = Path(place) / f"plate{index}"
-    verdict = checker.solve(camopt, scene.text(), folder)
-    try:
-        expected = PlateProgram(scene).solve()
-    except AssertionError as error:
-        if not any(word in str(error) for word in ("HiGHS", "does not end", "do not end")):
-            raise
-        return SKIPPED
-    undecided = scene.swings and expected is None and verdict == "failed"  # of arms not every infeasible scene is proved
-    if undecided:
-        return UNDECIDED
-    if (expected is None) != (verdict == "infeasible"):
-        return f"{verdict}, the linear program {'has no motion' if expected is None else expected}"
-    if expected is not None:
-        found = json.loads((folder / "result.json").read_text())["objective"]
-        if verdict != "optimal" or abs(found - expected) > SAME * abs(expected):
-            return f"{verdict} {found}, expected {expected}"
+    verdict, expected = checker.solve(camopt, scene.text(), folder), program_trials.optimum_of(PlateProgram(scene))
+    if expected == program_trials.SKIPPED:
+        return expected
+    if scene.swings and expected is None and verdict == "failed":  # of arms not every infeasible scene is proved
+        return program_trials.UNDECIDED
+    if fault := program_trials.difference(verdict, folder, expected, SAME):
+        return fault
     outcome = checker.outcome(module, folder)
     if scene.swings and expected is None and outcome[0] == "not verified":
-        return UNDECIDED
+        return program_trials.UNDECIDED
     return None if outcome[0] == "confirmed" else f"{outcome}"
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("camopt")
-    parser.add_argument("--count", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=20)
-    options = parser.parse_args()
-    module, faults, skipped, undecided, verdicts = checker.load(), [], 0, 0, {"optimal": 0, "infeasible": 0}
-    with tempfile.TemporaryDirectory() as place:
-        for index in range(options.count):
-            scene = Scene(random.Random(options.seed * 1000 + index), index)
-            fault = judged(module, options.camopt, place, index, scene)
-            if fault == SKIPPED:
-                skipped += 1
-            elif fault == UNDECIDED:
-                undecided += 1
-            elif fault:
-                faults.append(f"scene {index}: {fault}\n{scene.text()}")
-            else:
-                verdict = json.loads((Path(place) / f"plate{index}" / "result.json").read_text())["verdict"]
-                verdicts[verdict] += 1
-    print(f"{options.count} plates: {verdicts}, {undecided} infeasible arms without a proof, {skipped} that HiGHS does not solve, "
-          f"{len(faults)} faults")
-    if undecided > MOST_UNDECIDED * options.count:
-        faults.append("too many infeasible arms without a proof")
-    if skipped > MOST_SKIPPED * options.count:
-        faults.append("too many programs that HiGHS does not solve")
-    if options.count >= 20 and min(verdicts.values()) == 0:
-        faults.append("every scene has the same verdict")
-    return checker.end(faults)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(program_trials.run("plates", 20, Scene, judged, MOST_UNDECIDED))

@@ -4,27 +4,23 @@
 Random scenes with tolerances are solved by camopt and, without any of its code, by HiGHS on the splines of bounds_lp_test.py. Each limit
 is a row a y + b y' + c y'' <= d for every choice of the ends of the numbers, whose right side loses |a| e0 + |b| e1 + |c| e2 by the errors
 of the motion: pressure angle s' - e <= tan(limit) (sqrt(R^2 - e^2) + s) of a roller or an edge, radius of a flat face, contact force,
-velocity and acceleration. Verdicts must be the same, objectives agree to 1e-8, the objective is not below that without tolerances,
+velocity and acceleration. Verdicts must be the same, objectives agree to 1e-8, the price is not negative,
 and scripts/verify-certificate must confirm every result.
 """
-import argparse
 import itertools
 import json
 import math
-import random
 import sys
-import tempfile
-from pathlib import Path
 
 import numpy
 
 import checker
+import program_trials
 from bounds_lp_test import TYPICAL, Program
 
 SAME = 1e-8
 EXCEEDED = 1e-12   # of a row, relative
 MOST_CUTS = 60
-MOST_SKIPPED = 0.1  # of the scenes: HiGHS solves none of their programs
 SPEED = 200.0       # rpm
 FOLLOWERS = ("translating_roller", "translating_knife", "translating_flat")
 
@@ -44,7 +40,7 @@ class Scene:
         self.weights = {name: round(numbers.uniform(0.1, 0.6), 3) for name in self.references if name != "velocity" or index % 2}
         self.bounds = [(0, sign, 1.0 if sign > 0 else 0.0, begin, end) for sign in (1, -1)
                        for begin, end in [(0.0, 1.0)] + ([(1.0, self.length)] if self.kind == "RR" else [])]
-        self.lines, self.limits, self.cam, self.forces, self.numbers_with, self.tolerance = [], "", "", "", {}, ""
+        self.lines, self.limits, self.cam, self.forces, self.tolerance = [], "", "", "", ""
         self.beta = math.radians(self.rise)
         self.choose_errors()
         self.choose_cam()
@@ -116,14 +112,13 @@ class Scene:
                                             self.ends("preload_n", preload, 0.05 * preload)):
             self.line(-stiff, 0, -swing / 1000, own - least)
 
-    def text(self, with_tolerances=True):
+    def text(self):
         back = f"return_deg = {self.back}\n" if self.kind == "RR" else ""
-        tolerance = f"[tolerance]\n{self.tolerance}" if with_tolerances else ""
         return (f'[motion]\ntype = "{self.kind}"\nlift_mm = {self.lift}\nrise_deg = {self.rise}\n{back}speed_rpm = {SPEED}\n'
                 f"[spline]\ndegree = {self.degree}\nsegments = {self.segments}\n[objective]\n" +
                 "".join(f"{name} = {weight}\n" for name, weight in self.weights.items()) +
                 "reference = { " + ", ".join(f"{name} = {size}" for name, size in self.references.items()) + " }\n"
-                f'[cam]\ntype = "disk"\nfollower = "{self.follower}"\n{self.cam}[limits]\n{self.limits}{self.forces}{tolerance}'
+                f'[cam]\ntype = "disk"\nfollower = "{self.follower}"\n{self.cam}[limits]\n{self.limits}{self.forces}[tolerance]\n{self.tolerance}'
                 "[solver]\ntolerance = 1e-11\n")
 
 
@@ -174,53 +169,20 @@ class LineProgram(Program):
         return added
 
 
-def judged(module, camopt, place, index, scene):
-    """What is wrong with a scene; None: nothing. "skipped": HiGHS cannot say."""
-    folder = Path(place) / f"cam{index}"
-    verdict = checker.solve(camopt, scene.text(), folder)
-    try:
-        expected = LineProgram(scene).solve()
-    except AssertionError as error:
-        if not any(word in str(error) for word in ("HiGHS", "does not end", "do not end")):
-            raise
-        return "skipped"
-    if (expected is None) != (verdict == "infeasible"):
-        return f"{verdict}, the linear program {'has no motion' if expected is None else expected}"
+def judged(module, camopt, folder, scene):
+    """What is wrong with a scene; None: nothing."""
+    verdict, expected = checker.solve(camopt, scene.text(), folder), program_trials.optimum_of(LineProgram(scene))
+    if expected == program_trials.SKIPPED:
+        return expected
+    if fault := program_trials.difference(verdict, folder, expected, SAME):
+        return fault
     if expected is not None:
-        result = json.loads((folder / "result.json").read_text())
-        if verdict != "optimal" or abs(result["objective"] - expected) > SAME * abs(expected):
-            return f"{verdict} {result['objective']}, expected {expected}"
-        price = result["tolerance"]["price"]
+        price = json.loads((folder / "result.json").read_text())["tolerance"]["price"]
         if price is None or price < -SAME:
             return f"the price is {price}"
     outcome = checker.outcome(module, folder)
     return None if outcome[0] == "confirmed" else f"{outcome}"
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("camopt")
-    parser.add_argument("--count", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=18)
-    options = parser.parse_args()
-    module, faults, skipped, verdicts = checker.load(), [], 0, {"optimal": 0, "infeasible": 0}
-    with tempfile.TemporaryDirectory() as place:
-        for index in range(options.count):
-            scene = Scene(random.Random(options.seed * 1000 + index), index)
-            fault = judged(module, options.camopt, place, index, scene)
-            if fault == "skipped":
-                skipped += 1
-            elif fault:
-                faults.append(f"scene {index}: {fault}\n{scene.text()}")
-            else:
-                verdicts[json.loads((Path(place) / f"cam{index}" / "result.json").read_text())["verdict"]] += 1
-    print(f"{options.count} cams: {verdicts}, {skipped} that HiGHS does not solve, {len(faults)} faults")
-    if skipped > MOST_SKIPPED * options.count:
-        faults.append("too many programs that HiGHS does not solve")
-    if options.count >= 20 and min(verdicts.values()) == 0:
-        faults.append("every scene has the same verdict")
-    return checker.end(faults)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(program_trials.run("cams", 18, Scene, judged))
