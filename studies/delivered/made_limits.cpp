@@ -56,23 +56,23 @@ double error_of(const Scene& scene, const PeakLimitRow& row) {
 }
 
 /// The cams that are the worst of some limit.
-std::set<std::string> worst_cams(const Solution& solution, const Scene& scene) {
-    std::map<std::string, EnclosedLimit> worst;
-    for (EnclosedLimit& one : enclosed_limits(scene, solution.cam->cam, *solution.motion)) {
-        const auto [own, first] = worst.try_emplace(one.key, one);
-        if (!first && one.worst > own->second.worst) own->second = std::move(one);
+std::set<std::string> worst_cams(const std::vector<EnclosedLimit>& limits) {
+    std::map<std::string, const EnclosedLimit*> worst;
+    for (const EnclosedLimit& one : limits) {
+        const EnclosedLimit*& own = worst.try_emplace(one.key, &one).first->second;
+        if (one.worst > own->worst) own = &one;
     }
     std::set<std::string> cams;
-    for (const auto& entry : worst) cams.insert(entry.second.made);
+    for (const auto& entry : worst) cams.insert(entry.second->made);
     return cams;
 }
 
-}  // namespace
-
-std::vector<ConstraintReport> made_constraints(const Solution& solution, const Scene& scene) {
-    const std::set<std::string> cams = worst_cams(solution, scene);
+/// limits: of the solution along its motion, with the tolerances of the scene.
+std::vector<ConstraintReport> made_constraints(const Solution& solution, const Scene& scene,
+                                               const std::vector<EnclosedLimit>& limits) {
+    const std::set<std::string> cams = worst_cams(limits);
     CamVariables drawn;
-    drawn.cam = solution.cam.value().cam;
+    drawn.cam = solution.cam->cam;
     drawn.scale = {scene.motion.lift, scene.motion.unit_angle()};
     std::vector<ConstraintReport> all;
     visit_made_cams(scene, drawn, [&](const Scene& own, const CamVariables& made) {
@@ -86,6 +86,13 @@ std::vector<ConstraintReport> made_constraints(const Solution& solution, const S
     return all;
 }
 
+}  // namespace
+
+std::vector<ConstraintReport> made_constraints(const Solution& solution, const Scene& scene) {
+    return made_constraints(solution, scene,
+                            enclosed_limits(scene, solution.cam.value().cam, *solution.motion));
+}
+
 void hold_for_made_cams(Solution& solution) {
     const Scene& scene = solution.scene;
     for (const PeakLimitRow& row : peak_limit_rows())
@@ -93,7 +100,7 @@ void hold_for_made_cams(Solution& solution) {
             if (row.in(scene.limits) && own.key == row.in(scene.limits)->key)
                 own.made = own.worst + (row.side < 0 ? -1.0 : 1.0) * error_of(scene, row);
     if (!solution.cam) return;
-    for (const ConstraintReport& made : made_constraints(solution, scene))
+    for (const ConstraintReport& made : made_constraints(solution, scene, solution.cam->limits_along))
         for (ConstraintReport& own : solution.constraints)
             if (own.key == made.key) own.made = made.worst;
 }
