@@ -3,7 +3,7 @@
 //
 //   M ẍ + C ẋ + K x = k_1 y e_1 + c_1 ẏ e_1 − P e_n.
 //
-// Masses 1 … n from cam to output. The deviation of x from its static position s y − u P is
+// C has the dampers of the stages and one from the output to ground. Masses 1 … n from cam to output. The deviation of x from its static position s y − u P is
 // e = x − s y + u P, where K s = k_1 e_1 and K u = e_n; without a return spring s = 1.
 #pragma once
 
@@ -14,6 +14,7 @@ namespace camopt {
 struct LinearTrain {
     std::vector<TrainStage> stages;  ///< the output last
     double return_stiffness = 0.0, preload = 0.0;
+    double ground_damping = 0.0;     ///< of the output
     Eigen::VectorXd share;       ///< s: how far each mass follows y at rest
     Eigen::VectorXd compliance;  ///< u: m/N for a force on the output
 
@@ -21,8 +22,12 @@ struct LinearTrain {
     /// B: rows Σ_j B_ij x_j = elongation of spring i for y = 0; with a return spring one more. Each row times
     /// √k_i / √m_j: the potential energy is half its square.
     [[nodiscard]] Eigen::MatrixXd elongations() const;
-    /// The same with √c_i: CᵀC is the damping for unit masses.
+    /// The same with √c_i, and with a damper to ground one row more: CᵀC is the damping for unit masses.
     [[nodiscard]] Eigen::MatrixXd damped_elongations() const;
+
+ private:
+    /// One row more, of the output against ground, where the weight is above 0.
+    [[nodiscard]] Eigen::MatrixXd with_ground(Eigen::MatrixXd rows, double weight) const;
 };
 
 /// Throws InputError for a chain of more than four masses or with a mass or spring that is not positive.

@@ -133,8 +133,10 @@ LinearTrainAtSpeed::LinearTrainAtSpeed(const LinearTrain& train, double speed, d
     for (Eigen::Index i = 0; i < n; ++i)
         mass_root[i] = std::sqrt(train.stages[static_cast<std::size_t>(i)].mass);
     by_acceleration_.tail(n) = -mass_root.cwiseProduct(train.share);
-    // C s − c_1 e_1: damper velocities while every mass follows its static share. 0 without a return spring.
-    VectorXd parting = VectorXd::Zero(n);
+    // C s − c_1 e_1: damper velocities while every mass follows its static share. Of those of the train 0
+    // without a return spring.
+    VectorXd parting = VectorXd::Zero(damped.rows());
+    if (damped.rows() > n) parting[n] = std::sqrt(train.ground_damping) * train.share[n - 1];
     for (Eigen::Index i = 0; i < n; ++i) {
         const double before = i == 0 ? 1.0 : train.share[i - 1];
         parting[i] = std::sqrt(train.stages[static_cast<std::size_t>(i)].damping) * (train.share[i] - before);

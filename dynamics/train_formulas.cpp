@@ -239,17 +239,20 @@ class LinearTrainFormulas final : public TrainFormulas {
 }  // namespace
 
 Eigen::MatrixXd LinearTrain::elongations() const {
-    Eigen::MatrixXd rows = weighted_elongations(*this, &TrainStage::stiffness);
-    if (return_stiffness == 0.0) return rows;
-    const int n = masses();
-    rows.conservativeResize(n + 1, n);
-    rows.row(n).setZero();
-    rows(n, n - 1) = std::sqrt(return_stiffness / stages.back().mass);
-    return rows;
+    return with_ground(weighted_elongations(*this, &TrainStage::stiffness), return_stiffness);
 }
 
 Eigen::MatrixXd LinearTrain::damped_elongations() const {
-    return weighted_elongations(*this, &TrainStage::damping);
+    return with_ground(weighted_elongations(*this, &TrainStage::damping), ground_damping);
+}
+
+Eigen::MatrixXd LinearTrain::with_ground(Eigen::MatrixXd rows, double weight) const {
+    if (weight == 0.0) return rows;
+    const int n = masses();
+    rows.conservativeResize(n + 1, n);
+    rows.row(n).setZero();
+    rows(n, n - 1) = std::sqrt(weight / stages.back().mass);
+    return rows;
 }
 
 LinearTrain linear_train(const DynamicsSpec& spec) {
@@ -258,6 +261,7 @@ LinearTrain linear_train(const DynamicsSpec& spec) {
     train.stages.push_back(spec.output());
     train.return_stiffness = spec.return_stiffness;
     train.preload = spec.preload;
+    train.ground_damping = spec.ground_damping;
     if (train.masses() > most_masses)
         throw SceneError({"dynamics.stage", fmt::format("{} stages before the output", spec.stages.size()),
                           fmt::format("at most {}", most_masses - 1)});

@@ -90,7 +90,7 @@ void read_limits(const SceneSource& source, Scene& scene) {
     }
     const auto is_peak = [](std::string_view name) {
         return std::ranges::any_of(peak_limit_rows(),
-                                   [&](const PeakLimitRow& row) { return row.term().name() == name; });
+                                   [&](const PeakLimitRow& row) { return row.key_name == name; });
     };
     read_scaled_rows(source, "limits", scene, [&](const GivenAt& key) {
         if (is_peak(key.given.row->name)) check_unit(source, key.given, key.key, scene.motion);

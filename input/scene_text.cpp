@@ -300,7 +300,7 @@ void check_sides(const LimitSpec& limits) {
         if (both.side != 0) continue;
         std::vector<std::string> units;
         for (const PeakLimitRow& row : peak_limit_rows())
-            if (const auto& limit = row.in(limits); limit && row.figure == both.figure)
+            if (const auto& limit = row.in(limits); limit && std::string_view(row.key_name) == both.key_name)
                 units.push_back(limit->unit);
         if (units.size() > 1 && (both.in(limits) || units[0] != units[1]))
             refuse(fmt::format("limits.{}", both.name()), "several limits of this derivative",

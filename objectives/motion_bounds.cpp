@@ -23,13 +23,16 @@ double scale_of(const LinearBound& bound, double size) {
     return std::max(std::abs(bound.bound), size * typical[static_cast<std::size_t>(bound.order)]);
 }
 
-void add_sided(std::vector<WrittenBound>& all, const PeakLimitRow& row, const PeakLimit& limit,
+/// One side of a limit: of one of both sides |y^{(r)}| <= L, ±y^{(r)} <= L.
+void add_sided(std::vector<WrittenBound>& all, const PeakLimitRow& row, const PeakLimit& limit, int side,
                const MotionFamily& family, const std::vector<StretchScale>& scales) {
     WrittenBound bound;
     bound.key = limit.key;
     bound.order = row.order();
-    bound.sign = row.side;
-    bound.bound = row.side * limit.normalised;
+    bound.sign = side;
+    bound.bound = side * (row.side == 0 ? side : 1) * limit.normalised;
+    bound.magnitude = row.side == 0;
+    bound.of_cam = row.of_cam;
     bound.scale = scale_of(bound, 1.0);
     bound.name = row.name();
     bound.unit = limit.unit;
@@ -176,8 +179,9 @@ std::vector<WrittenBound> motion_bounds(const Scene& scene, const MotionFamily& 
     std::vector<WrittenBound> all;
     const std::vector<StretchScale> scales = peak_scales(scene);
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (const auto& limit = row.in(scene.limits); limit && row.side != 0)
-            add_sided(all, row, *limit, family, scales);
+        if (const auto& limit = row.in(scene.limits); limit && !row.on_peak())
+            for (const int side : {-1, 1})
+                if (row.side == 0 || row.side == side) add_sided(all, row, *limit, side, family, scales);
     for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
     for (WrittenBound& bound : all) bound.bound -= scene.motion_error(bound.order);  // of a made cam
     for (WrittenBound& bound : drive_bounds(scene, family)) all.push_back(std::move(bound));
@@ -186,7 +190,7 @@ std::vector<WrittenBound> motion_bounds(const Scene& scene, const MotionFamily& 
 
 std::vector<WrittenBound> motion_bounds(const Scene& scene) {
     const bool sided = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
-        return row.side != 0 && row.in(scene.limits).has_value();
+        return !row.on_peak() && row.in(scene.limits).has_value();
     });
     if (!sided && scene.motion.corridors.empty() && !scene.drive) return {};
     return motion_bounds(scene, scene_family(scene, DesignKind::states));

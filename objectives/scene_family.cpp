@@ -67,6 +67,13 @@ MotionFamily scene_family(const Scene& scene, DesignKind kind, const std::vector
     return DesignVector::make(spline_request(scene, kind));
 }
 
+DerivativeCombination cam_of_output(const Scene& scene) {
+    const DynamicsSpec& train = scene.dynamics.value();
+    const double stiffness = train.output().stiffness, pace = *scene.motion.speed / scene.motion.unit_angle();
+    return {{1.0 + train.return_stiffness / stiffness, train.ground_damping / stiffness * pace,
+             train.mass / stiffness * pace * pace}};
+}
+
 std::vector<double> start_breakpoints(const Scene& scene) {
     if (scene.motion.type == MotionType::program) return breakpoints_of(scene.spline, 0.0, 1.0, {});
     return spline_request(scene, DesignKind::states).space.breakpoints();

@@ -16,6 +16,10 @@ namespace camopt {
 [[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind,
                                         const std::vector<StrokeDirection>& of_free = {});
 
+/// What makes the cam's motion of the output's, where dynamics prescribes it (scene/dynamics_spec.hpp), at the
+/// scene's speed; in lifts over x.
+[[nodiscard]] DerivativeCombination cam_of_output(const Scene& scene);
+
 /// The scene's own breakpoints, in the units of spline.breakpoints: where a search for free ones starts.
 [[nodiscard]] std::vector<double> start_breakpoints(const Scene& scene);
 

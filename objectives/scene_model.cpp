@@ -351,6 +351,14 @@ void add_cam(CamModel& model, const Scene& scene) {
     for (const auto& rule : cam_limits(scene, *cam)) model.rules.emplace_back(rule);
 }
 
+/// Rules and terms that see the cam's motion.
+void add_of_cam(CamModel& model, const Scene& scene, void (*add)(CamModel&, const Scene&)) {
+    const std::size_t rules = model.rules.size(), parameters = model.parameters.size();
+    add(model, scene);
+    for (std::size_t r = rules; r < model.rules.size(); ++r) model.rules[r].of_cam = true;
+    for (std::size_t p = parameters; p < model.parameters.size(); ++p) model.parameters[p].of_cam = true;
+}
+
 }  // namespace
 
 Peaks reference_peaks(const Scene& scene) {
@@ -385,17 +393,21 @@ double dimension_weight(const Scene& scene, const std::string& name) {
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference, const HeldStrokes& strokes,
                      const CostUnits& units) {
     CamModel model(scene_family(scene, kind, strokes.directions));
+    if (scene.prescribes_output()) {
+        model.to_cam = cam_of_output(scene);
+        model.cam_motion = model.design.cam_motions(model.to_cam);
+    }
     add_program_scales(model, scene);
     add_known_points(model, scene);
     add_peaks(model, scene, reference, units);
     add_motion_bounds(model, scene);
     add_stroke_rules(model, scene, strokes);
     set_entry_factors(model, scene);
-    add_cam(model, scene);
+    add_of_cam(model, scene, add_cam);
     add_own_rules(model, scene);
-    add_response_rules(model, scene);
-    add_drive_rules(model, scene);
-    add_spring_rules(model, scene);
+    add_of_cam(model, scene, add_response_rules);
+    add_of_cam(model, scene, add_drive_rules);
+    add_of_cam(model, scene, add_spring_rules);
     add_deviation_terms(model, scene);
     model.cost_constant /= units.cost;
     for (Parameter& parameter : model.parameters) parameter.weight /= units.cost;
@@ -404,14 +416,11 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
 
 CamModel convex_part(const CamModel& model, ConvexOver range) {
     CamModel part = model;
-    double least = -infinity;
-    double most = infinity;
-    if (range == ConvexOver::sensible_motion) {
-        least = model.least_displacement;
-        most = model.most_displacement;
-    }
-    std::erase_if(part.rules,
-                  [&](const PlacedRule& rule) { return rule->curvature(least, most) == Curvature::general; });
+    std::erase_if(part.rules, [&](const PlacedRule& rule) {
+        const auto [least, most] = range == ConvexOver::sensible_motion ? model.expected_range(rule)
+                                                                        : std::array{-infinity, infinity};
+        return rule->curvature(least, most) == Curvature::general;
+    });
     return part;
 }
 

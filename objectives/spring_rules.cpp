@@ -101,7 +101,7 @@ void add_spring_rules(CamModel& model, const Scene& scene) {
     const auto [first, last] = limited_harmonics(scene);
     for (int order = first; order <= last; ++order)
         model.rules.emplace_back(
-            std::make_shared<const WholeMotionRule>(harmonic_rule(scene, model.design, order)));
+            std::make_shared<const WholeMotionRule>(harmonic_rule(scene, model.cam_family(), order)));
 }
 
 }  // namespace camopt

@@ -204,7 +204,7 @@ bool is_at_limit(const Scene& scene, int order, double value, double x, const St
     };
     for (const PeakLimitRow& row : peak_limit_rows()) {
         const auto& limit = row.in(scene.limits);
-        if (!limit || row.order() != order) continue;
+        if (!limit || row.order() != order || row.of_cam) continue;
         const double size = limit->physical() ? 1.0 : scale.displacement / std::pow(scale.angle, order);
         if ((row.side >= 0 && equals(size * limit->normalised)) ||
             (row.side <= 0 && equals(row.side == 0 ? -size * limit->normalised : size * limit->normalised)))

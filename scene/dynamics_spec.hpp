@@ -110,6 +110,15 @@ class TrainFormulas {
     TrainFormulas& operator=(const TrainFormulas&) = default;
 };
 
+/// Whose motion the spline is: the cam's, which the output follows as the train lets it, or the output's
+/// (polydyne, splinedyne). Then the cam does what the train needs at the scene's speed Ω,
+///
+///   s = (1 + k_r / k) y + (c_g / k) ẏ + (m / k) ÿ,
+///
+/// the output's spring k, its mass m, return spring k_r and damper to ground c_g; damping of the train itself
+/// plays no part. Peaks, limits and conditions of the motion are the output's, everything of the cam sees s.
+enum class PrescribedMotion { cam, output };
+
 struct DynamicsSpec {
     double mass = 0.0;  ///< moved at the output, > 0
     /// One of the two: natural frequency of the output on its spring with the part before it held, rad/s; or
@@ -119,10 +128,13 @@ struct DynamicsSpec {
     std::optional<double> damping_ratio = {}, damping = {};
     double return_stiffness = 0.0;                          ///< >= 0
     double preload = 0.0;                                   ///< >= 0, at displacement 0
+    double ground_damping = 0.0;                            ///< >= 0, N s/m, of the output to ground
+    PrescribedMotion prescribe = PrescribedMotion::cam;     ///< output: of trains of one mass
     std::vector<TrainStage> stages = {};                    ///< from the cam on, before the output; at most 3
     std::optional<std::array<double, 2>> speed_range = {};  ///< rad/s; none: the scene's speed alone
     std::shared_ptr<const TrainFormulas> formulas = {};     ///< set by dynamics/train_formulas.hpp
 
+    [[nodiscard]] bool prescribes_output() const { return prescribe == PrescribedMotion::output; }
     /// Whether a force presses the follower on the cam: else the cam guides it in both directions.
     [[nodiscard]] bool pressed() const { return return_stiffness > 0.0 || preload > 0.0; }
     /// The output on its own spring and damper.

@@ -25,35 +25,35 @@ constexpr Range right_angle = {
     .low = 0.0, .high = 0.5 * std::numbers::pi, .low_included = false, .high_included = false};
 constexpr Range below_one = {.low = 0.0, .high = 1.0, .high_included = false};
 
-constexpr std::array<PeakLimitRow, 9> peak_rows = {{
-    {CostFigure::velocity, spellings::velocity,
-     "Cap on the velocity: on the normalised peak V, by the cam angle, or in time (needs a speed).",
-     names_of_velocity},
-    {CostFigure::acceleration, spellings::acceleration,
-     "Cap on the acceleration: on the normalised peak A, by the cam angle, or in time (needs a speed).",
-     names_of_acceleration},
-    {CostFigure::jerk, spellings::jerk,
-     "Cap on the jerk: on the normalised peak J, by the cam angle, or in time (needs a speed).",
-     names_of_jerk},
-    {CostFigure::velocity, spellings::velocity, "", {}, -1, "velocity_min", &LimitSpec::velocity_min},
-    {CostFigure::velocity, spellings::velocity, "", {}, 1, "velocity_max", &LimitSpec::velocity_max},
-    {CostFigure::acceleration,
-     spellings::acceleration,
-     "",
-     {},
-     -1,
-     "acceleration_min",
-     &LimitSpec::acceleration_min},
-    {CostFigure::acceleration,
-     spellings::acceleration,
-     "",
-     {},
-     1,
-     "acceleration_max",
-     &LimitSpec::acceleration_max},
-    {CostFigure::jerk, spellings::jerk, "", {}, -1, "jerk_min", &LimitSpec::jerk_min},
-    {CostFigure::jerk, spellings::jerk, "", {}, 1, "jerk_max", &LimitSpec::jerk_max},
+// A row is read as a row.
+// clang-format off
+constexpr std::array<PeakLimitRow, 18> peak_rows = {{
+    {CostFigure::velocity, "velocity", spellings::velocity, &LimitSpec::velocity,
+     "Cap on the velocity: on the normalised peak V, by the cam angle, or in time (needs a speed).", names_of_velocity},
+    {CostFigure::acceleration, "acceleration", spellings::acceleration, &LimitSpec::acceleration,
+     "Cap on the acceleration: on the normalised peak A, by the cam angle, or in time (needs a speed).", names_of_acceleration},
+    {CostFigure::jerk, "jerk", spellings::jerk, &LimitSpec::jerk,
+     "Cap on the jerk: on the normalised peak J, by the cam angle, or in time (needs a speed).", names_of_jerk},
+    {CostFigure::velocity, "velocity", spellings::velocity, &LimitSpec::velocity_min, "", {}, -1, "velocity_min"},
+    {CostFigure::velocity, "velocity", spellings::velocity, &LimitSpec::velocity_max, "", {}, 1, "velocity_max"},
+    {CostFigure::acceleration, "acceleration", spellings::acceleration, &LimitSpec::acceleration_min, "", {}, -1, "acceleration_min"},
+    {CostFigure::acceleration, "acceleration", spellings::acceleration, &LimitSpec::acceleration_max, "", {}, 1, "acceleration_max"},
+    {CostFigure::jerk, "jerk", spellings::jerk, &LimitSpec::jerk_min, "", {}, -1, "jerk_min"},
+    {CostFigure::jerk, "jerk", spellings::jerk, &LimitSpec::jerk_max, "", {}, 1, "jerk_max"},
+    {CostFigure::velocity, "cam_velocity", spellings::velocity, &LimitSpec::cam_velocity,
+     "Cap on the velocity of the cam's own motion, in the spellings of velocity; only where the output is prescribed (dynamics.prescribe).", {}, 0, nullptr, true},
+    {CostFigure::acceleration, "cam_acceleration", spellings::acceleration, &LimitSpec::cam_acceleration,
+     "Cap on the acceleration of the cam's own motion, in the spellings of acceleration; only where the output is prescribed (dynamics.prescribe).", {}, 0, nullptr, true},
+    {CostFigure::jerk, "cam_jerk", spellings::jerk, &LimitSpec::cam_jerk,
+     "Cap on the jerk of the cam's own motion, in the spellings of jerk; only where the output is prescribed (dynamics.prescribe).", {}, 0, nullptr, true},
+    {CostFigure::velocity, "cam_velocity", spellings::velocity, &LimitSpec::cam_velocity_min, "", {}, -1, "cam_velocity_min", true},
+    {CostFigure::velocity, "cam_velocity", spellings::velocity, &LimitSpec::cam_velocity_max, "", {}, 1, "cam_velocity_max", true},
+    {CostFigure::acceleration, "cam_acceleration", spellings::acceleration, &LimitSpec::cam_acceleration_min, "", {}, -1, "cam_acceleration_min", true},
+    {CostFigure::acceleration, "cam_acceleration", spellings::acceleration, &LimitSpec::cam_acceleration_max, "", {}, 1, "cam_acceleration_max", true},
+    {CostFigure::jerk, "cam_jerk", spellings::jerk, &LimitSpec::cam_jerk_min, "", {}, -1, "cam_jerk_min", true},
+    {CostFigure::jerk, "cam_jerk", spellings::jerk, &LimitSpec::cam_jerk_max, "", {}, 1, "cam_jerk_max", true},
 }};
+// clang-format on
 
 constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
     {.figure = Figure::pressure_angle,

@@ -14,28 +14,29 @@ namespace camopt {
 
 /// A cap on a peak of the motion, or on one side of a derivative, normalised or in time.
 struct PeakLimitRow {
-    CostFigure figure;                                   ///< the peak; its name is the limit's
-    std::span<const Spelling> spellings;                 ///< the first one is normalised
-    const char* meaning;                                 ///< of the key limits.NAME
+    CostFigure figure;                    ///< the peak
+    const char* key_name;                 ///< of the key limits.KEY_NAME: "velocity", "cam_velocity"
+    std::span<const Spelling> spellings;  ///< the first one is normalised
+    std::optional<PeakLimit> LimitSpec::*limit;
+    const char* meaning = "";                            ///< of the key; of both sides
     std::span<const std::string_view> also_called = {};  ///< what other programs call it
     int side = 0;                                        ///< 0: |y^{(r)}| <=; 1: y^{(r)} <=; −1: y^{(r)} >=
     const char* sided_name = nullptr;                    ///< "velocity_min"; null of both sides
-    std::optional<PeakLimit> LimitSpec::*sided = nullptr;
+    /// Of the cam's own motion where that of the output is prescribed (DynamicsSpec::prescribes_output).
+    bool of_cam = false;
 
-    [[nodiscard]] const CostTerm& term() const { return cost_term(figure); }
-    [[nodiscard]] const char* name() const { return side == 0 ? term().name() : sided_name; }
-    [[nodiscard]] std::optional<PeakLimit> LimitSpec::*member() const {
-        return side == 0 ? term().limit : sided;
-    }
+    [[nodiscard]] const char* name() const { return side == 0 ? key_name : sided_name; }
+    /// Held by the peak of the objective; others are bounds of their own (objectives/motion_bounds.hpp).
+    [[nodiscard]] bool on_peak() const { return side == 0 && !of_cam; }
     /// Of the derivative: 1 velocity, 2 acceleration, 3 jerk.
-    [[nodiscard]] int order() const { return term().measured.order; }
-    [[nodiscard]] std::optional<PeakLimit>& in(LimitSpec& limits) const { return limits.*member(); }
+    [[nodiscard]] int order() const { return cost_term(figure).measured.order; }
+    [[nodiscard]] std::optional<PeakLimit>& in(LimitSpec& limits) const { return limits.*limit; }
     [[nodiscard]] const std::optional<PeakLimit>& in(const LimitSpec& limits) const {
-        return limits.*member();
+        return limits.*limit;
     }
 };
 
-/// Those of both sides by order, then those of one side.
+/// Of the motion: those of both sides by order, then those of one side; then the cam's in the same order.
 [[nodiscard]] std::span<const PeakLimitRow> peak_limit_rows();
 
 /// What is limited, for people: in tables, charts and the studio.

@@ -96,6 +96,10 @@ int Scene::nearest_harmonic() const {
     return static_cast<int>(std::round(std::clamp(ratio, 1.0, beyond)));
 }
 
+const char* name_of(PrescribedMotion value) {
+    return value == PrescribedMotion::cam ? "cam" : "output";
+}
+
 const char* name_of(EndJerk value) {
     return value == EndJerk::free ? "free" : "zero";
 }

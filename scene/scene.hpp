@@ -339,6 +339,9 @@ struct LimitSpec {
     /// Of one side: y^{(r)} >= min, y^{(r)} <= max.
     std::optional<PeakLimit> velocity_min, velocity_max, acceleration_min, acceleration_max, jerk_min,
         jerk_max;
+    /// The same of the cam's own motion s, in lifts over x; only where dynamics prescribes the output's.
+    std::optional<PeakLimit> cam_velocity, cam_acceleration, cam_jerk, cam_velocity_min, cam_velocity_max,
+        cam_acceleration_min, cam_acceleration_max, cam_jerk_min, cam_jerk_max;
     // The rest needs a cam.
     std::optional<WrittenLimit> pressure_angle;                              ///< |φ| <=, in (0, π/2)
     std::optional<WrittenLimit> rise_pressure_angle, return_pressure_angle;  ///< replace it there
@@ -418,6 +421,8 @@ struct Scene {
     std::vector<OwnLimit> own_limits;    ///< beside `limits`
     SolverSpec solver;
 
+    /// The spline is the motion of the output of an elastic train, and the cam gives what that needs.
+    [[nodiscard]] bool prescribes_output() const { return dynamics && dynamics->prescribes_output(); }
     /// As the scene is written; of a number that it leaves out, or without a file: `otherwise`.
     [[nodiscard]] Spelling spelling_of(const std::string& key, const Spelling& otherwise) const {
         const auto known = written.find(key);
@@ -456,6 +461,7 @@ struct SceneFault {
 void validate(const Scene& scene);
 
 [[nodiscard]] const char* name_of(SegmentKind value);
+[[nodiscard]] const char* name_of(PrescribedMotion value);
 [[nodiscard]] const char* name_of(EndJerk value);
 [[nodiscard]] const char* name_of(TieBreak value);
 [[nodiscard]] const char* name_of(PeakScope value);

@@ -37,7 +37,7 @@ const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, c
     const std::string member = member_of(row.name());
     std::string_view key = limit.key;
     if (row.side != 0 && key.size() > 4) key.remove_suffix(4);  // ".min"
-    const Spelling* const known = spelling_of(row.spellings, member_of(row.term().name()), key, limit.unit);
+    const Spelling* const known = spelling_of(row.spellings, member_of(row.key_name), key, limit.unit);
     if (!known && limit.unit.empty()) return row.spellings.front();
     if (!known) {
         std::string units;
@@ -45,7 +45,7 @@ const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, c
         refuse(member, fmt::format("the unit \"{}\"", limit.unit),
                fmt::format("none (normalised), or {}", units));
     }
-    const std::array names = {KeyNames{row.term().name(), row.spellings}};
+    const std::array names = {KeyNames{row.key_name, row.spellings}};
     if (const auto fault = unit_fault(member, known->unit, motion, names))
         refuse(fault->member, fault->found, fault->allowed);
     return *known;
@@ -57,7 +57,7 @@ void complete(const PeakLimitRow& row, PeakLimit& limit, const MotionSpec& motio
     const double scale = one_normalised_peak(motion, row.order(), spelling);
     limit.unit = spelling.unit;
     if (limit.key.empty())
-        limit.key = written_limit_key(row.term().name(), spelling.suffix, side_of_key(row.side));
+        limit.key = written_limit_key(row.key_name, spelling.suffix, side_of_key(row.side));
     if (!(scale > 0.0) || !std::isfinite(scale)) return;  // validate() reports faults of the motion
     limit.one_normalised = scale;
     if (limit.given == 0.0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "splines/motion_family.hpp"
 
+#include "core/errors.hpp"
 #include "splines/design_forms.hpp"
 
 namespace camopt {
@@ -59,6 +60,29 @@ void MotionFamily::add_pieces() {
         piece.copy = stretches_[static_cast<std::size_t>(piece.stretch)].copy;
         piece_begins_.push_back(piece.begin);
     }
+}
+
+MotionFamily MotionFamily::cam_motions(const DerivativeCombination& of) const {
+    MotionFamily family = *this;
+    for (Run& run : family.runs_) {
+        for (LocalMap& map : run.maps) map = combined(std::move(map), of);
+        run.combined_space = combined(run.design.space(), of);
+    }
+    for (Stretch& stretch : family.stretches_) {
+        if (stretch.kind == StretchRequest::Kind::shape)
+            throw InputError("the output of a train: found a fixed shape in its motion; allowed: dwells and splines");
+        if (stretch.kind != StretchRequest::Kind::dwell) continue;
+        for (AffineRow* const end : {&stretch.from, &stretch.to}) {
+            end->offset *= of.weights[0];
+            for (double& weight : end->weights) weight *= of.weights[0];
+        }
+    }
+    for (Stretch& stretch : family.stretches_) {
+        if (stretch.kind != StretchRequest::Kind::spline) continue;
+        stretch.from = family.functional(stretch.begin, 0, Side::right);
+        stretch.to = family.functional(stretch.end, 0, Side::left);
+    }
+    return family;
 }
 
 std::string MotionFamily::name(int index) const {
@@ -131,7 +155,7 @@ std::vector<int> MotionFamily::reported_entries() const {
 
 SplineCurve MotionFamily::run_curve(int run, const Eigen::VectorXd& x) const {
     const Run& own = runs_[run];
-    const SplineSpace& space = own.design.space();
+    const SplineSpace& space = run_space(run);
     Eigen::MatrixXd pieces(space.degree() + 1, space.segments());
     for (int i = 0; i < space.segments(); ++i) pieces.col(i) = own.maps[i].polynomial(x);
     return {space, std::move(pieces)};

@@ -7,6 +7,7 @@
 // extend across that point. DRD and RR are families of one spline run.
 #pragma once
 
+#include "splines/derivative_combination.hpp"
 #include "splines/gram.hpp"
 #include "splines/motion_chain.hpp"
 
@@ -60,6 +61,9 @@ class MotionFamily {
     MotionFamily(DesignVector single);  // NOLINT(google-explicit-constructor)
     /// Throws InputError if the intervals do not join, or displacements contradict each other.
     [[nodiscard]] static MotionFamily make(const FamilyRequest& request);
+    /// The motions s = of(y) of this family's y, by the same entries and equalities: dwells and splines. Throws
+    /// InputError for a family with a fixed shape, or whose splines are not smooth enough.
+    [[nodiscard]] MotionFamily cam_motions(const DerivativeCombination& of) const;
 
     [[nodiscard]] int size() const { return size_; }
     [[nodiscard]] std::string name(int index) const;
@@ -80,7 +84,10 @@ class MotionFamily {
 
     [[nodiscard]] int runs() const { return static_cast<int>(runs_.size()); }
     [[nodiscard]] const DesignVector& run(int index) const { return runs_[index].design; }
-    [[nodiscard]] const SplineSpace& run_space(int index) const { return runs_[index].design.space(); }
+    [[nodiscard]] const SplineSpace& run_space(int index) const {
+        const Run& run = runs_[index];
+        return run.combined_space ? *run.combined_space : run.design.space();
+    }
     /// The first entry of a run's design vector.
     [[nodiscard]] int first_entry(int run) const { return runs_[run].first; }
     /// Entries after those of all runs: free displacements (and states) at joints.
@@ -105,6 +112,7 @@ class MotionFamily {
         DesignVector design;
         int first = 0;
         std::vector<LocalMap> maps;  ///< over the entries of the family, joint entries included
+        std::optional<SplineSpace> combined_space = {};  ///< of a combined family: that of the maps
     };
     struct Builder;
     MotionFamily() = default;

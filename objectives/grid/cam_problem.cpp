@@ -40,7 +40,7 @@ void CamProblem::start_rule(int index) {
         return;
     }
     if (rule->starts_without_rows()) return;
-    const MotionFamily& family = model_->design;
+    const MotionFamily& family = model_->family_of(rule);
     const int order = rule->highest_order();
     for (const double x : rule->places()) add_sample(index, x, x < family.end() ? Side::right : Side::left);
     if (!rule->places().empty()) return;
@@ -155,17 +155,20 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
                                                  double slack) const {
     std::vector<Violation> found;
     const MotionChain chain = motion(x);
+    const std::optional<MotionChain> of_cam =
+        model_->cam_motion ? std::optional(cam_motion(x)) : std::nullopt;
     const Eigen::VectorXd q = x.tail(static_cast<Eigen::Index>(model_->parameters.size()));
     for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
         const PlacedRule& rule = model_->rules[r];
         if (limits_only && !rule->limit()) continue;
+        const MotionChain& own = model_->sees_cam(rule) ? *of_cam : chain;
         if (const WholeMotionRule* const whole = rule->whole()) {
-            for (WholeMotionRule::Place& place : whole->maxima(chain, own_parameters(r, x)))
+            for (WholeMotionRule::Place& place : whole->maxima(own, own_parameters(r, x)))
                 if (const double amount = place.where.value / rule->scale(); amount > -slack)
                     found.push_back({r, place.where, amount, rule->limit(), std::move(place.setting)});
             continue;
         }
-        for (const Extremum& maximum : rule_maxima(rule, model_->design, chain, own_parameters(r, x))) {
+        for (const Extremum& maximum : rule_maxima(rule, model_->family_of(rule), own, own_parameters(r, x))) {
             // Undefined (an arm that cannot reach) counts as an infinite violation.
             const double scale = rule->scale_at(maximum.at);
             if (scale == 0.0) continue;

@@ -168,6 +168,10 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const {
         return model_->design.motion(design_values(x));
     }
+    /// The same unless the output's motion is prescribed.
+    [[nodiscard]] MotionChain cam_motion(const Eigen::VectorXd& x) const {
+        return model_->cam_family().motion(design_values(x));
+    }
     /// The spline of the first run: all of it for DRD and RR.
     [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const {
         return model_->design.run_curve(0, design_values(x));
@@ -183,7 +187,7 @@ class CamProblem final : public ContinuousProblem {
     bool add_sample(int rule, double at, Side side);
     bool add_whole_sample(const RuleSample& sample);
     void refine_whole(const Violation& violation);
-    void complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const;
+    void complete_responses(Eigen::VectorXd& x) const;
     void add_samples(std::span<const Violation> worst);
     void add_around(const Violation& violation);
     int append_rows();

@@ -51,7 +51,7 @@ double limited_derivative(const CamModel& model, int order) {
         for (const PlacedRule& rule : model.rules) {
             const bool whole = (rule.stretch < 0 || rule.stretch == s) && rule.from <= stretches[s].begin &&
                                rule.until >= stretches[s].end;
-            if (!whole || !rule->limit() || !rule->linear() || !rule->parameters().empty() ||
+            if (!whole || model.sees_cam(rule) || !rule->limit() || !rule->linear() || !rule->parameters().empty() ||
                 rule->highest_order() != order || dynamic_cast<const LinearRule*>(rule.rule.get()) == nullptr)
                 continue;
             const double rest = value(*rule, 0), slope = value(*rule, order) - rest;
@@ -277,7 +277,7 @@ std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
     SlopeRange slope{-known.sup[1], known.sup[1]};
     for (const PlacedRule& rule : model_->rules) {
         // Without an incumbent the limits need not be satisfied.
-        if (!std::isfinite(incumbent) || !rule.holds_everywhere()) continue;
+        if (!std::isfinite(incumbent) || !rule.holds_everywhere() || model_->sees_cam(rule)) continue;
         const SlopeRange own = rule->slope_range();
         slope.least = std::max(slope.least, own.least - relaxed_limits * std::abs(own.least));
         slope.most = std::min(slope.most, own.most + relaxed_limits * std::abs(own.most));
@@ -311,8 +311,10 @@ bool CamProblem::convex(double incumbent) const {
     if (std::ranges::all_of(model_->rules, [](const PlacedRule& rule) { return rule->linear(); }))
         return true;
     const std::array<double, 2> range = displacement_range(incumbent);
+    const SupportedBounds known = supported_bounds(incumbent, relaxed_limits);
     return std::ranges::all_of(model_->rules, [&](const PlacedRule& rule) {
-        return rule->curvature(range[0], range[1]) != Curvature::general;
+        const auto [least, most] = model_->seen_range(rule, range, {known.sup[1], known.sup[2]});
+        return rule->curvature(least, most) != Curvature::general;
     });
 }
 

@@ -163,13 +163,15 @@ void CamProblem::complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x
 }
 
 /// The response of the follower train or of the motor to the motion.
-void CamProblem::complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const {
+void CamProblem::complete_responses(Eigen::VectorXd& x) const {
+    const MotionChain of_output = motion(x), of_cam = cam_motion(x);
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         if (parameter.kind != Parameter::Kind::response && parameter.kind != Parameter::Kind::energy)
             continue;
         double largest = parameter.lower;
-        for (const auto& place : parameter.defined_by->whole()->maxima(chain, Eigen::VectorXd::Zero(1)))
+        for (const auto& place : parameter.defined_by->whole()->maxima(parameter.of_cam ? of_cam : of_output,
+                                                                        Eigen::VectorXd::Zero(1)))
             largest = std::max(largest, place.where.value);
         x[model_->design.size() + static_cast<Eigen::Index>(p)] = largest;
     }
@@ -183,7 +185,7 @@ void CamProblem::complete_parameters(Eigen::VectorXd& x) const {
         complete_program_peaks(motion(x), x);
     if (has_kind(*model_, Parameter::Kind::own)) complete_own_peaks(motion(x), x);
     if (has_kind(*model_, Parameter::Kind::response) || has_kind(*model_, Parameter::Kind::energy))
-        complete_responses(motion(x), x);
+        complete_responses(x);
     const Eigen::Index size = model_->design.size();
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];

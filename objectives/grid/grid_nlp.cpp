@@ -21,7 +21,7 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
 QuadraticForm scaled_form(const CamModel& model, const Parameter& parameter) {
     const bool energy = parameter.kind == Parameter::Kind::energy;
     QuadraticForm form =
-        energy ? parameter.defined_by->whole()->form(model.design).value()
+        energy ? parameter.defined_by->whole()->form(model.family_of(parameter.of_cam)).value()
                : model.design.mean_square(parameter.order, model.mean_square_weights(parameter.order));
     const double factor = 1.0 / (parameter.reference * parameter.reference);
     form.scale(energy ? 1.0 : factor, design_scales(model));
@@ -109,9 +109,10 @@ void GridNlp::add_sample_rows(int first) {
     shape_.rows.reserve(static_cast<std::size_t>(rows));
     for (int k = first; k < samples; ++k) {
         add_sample_row(k);
-        const PointRule& rule = *model.rules[samples_[k].rule];
-        shape_.convex = shape_.convex && rule.curvature(model.least_displacement, model.most_displacement) !=
-                                             Curvature::general;
+        const PlacedRule& placed = model.rules[samples_[k].rule];
+        const PointRule& rule = *placed;
+        const auto [least, most] = model.expected_range(placed);
+        shape_.convex = shape_.convex && rule.curvature(least, most) != Curvature::general;
         const double unit = rule.linear() && !rule.whole() ? unit_of(samples_[k]) : 1.0;
         shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale(), unit * rule.rounding()});
     }
@@ -133,7 +134,8 @@ void GridNlp::add_sample_row(int sample) {
 }
 
 void GridNlp::add_energy_row(int sample) {
-    QuadraticForm form = model_->rules[samples_[sample].rule]->whole()->form(model_->design).value();
+    const PlacedRule& rule = model_->rules[samples_[sample].rule];
+    QuadraticForm form = rule->whole()->form(model_->family_of(rule)).value();
     form.scale(1.0, scale_);
     Row row;
     row.sample = sample;
@@ -156,18 +158,18 @@ const RuleValue& GridNlp::affine_rule(const RuleSample& place) {
 
 /// Multiplied out, with only the derivatives and entries that occur in the rule.
 AffineRow GridNlp::linear_rule_row(const RuleSample& place, const RuleValue& affine) const {
+    const PlacedRule& rule = model_->rules[place.rule];
     AffineRow sum{affine.value, {}, {}};
     for (int order = 0; order < 4; ++order) {
         const double factor = affine.gradient[order];
         if (factor == 0.0) continue;
-        AffineRow derivative = model_->design.functional(place.at, order, place.side);
+        AffineRow derivative = model_->family_of(rule).functional(place.at, order, place.side);
         for (double& weight : derivative.weights) weight *= factor;
         derivative.offset *= factor;
         sum = sum.columns.empty() ? AffineRow{sum.offset + derivative.offset, std::move(derivative.columns),
                                               std::move(derivative.weights)}
                                   : combined(sum, 1.0, derivative);
     }
-    const PlacedRule& rule = model_->rules[place.rule];
     if (rule.datum == PlacedRule::Datum::zero || affine.gradient[0] == 0.0) return sum;
     const auto& stretch = model_->design.stretches()[rule.stretch];
     return combined(sum, -affine.gradient[0],
@@ -182,10 +184,11 @@ double GridNlp::unit_of(const RuleSample& place) const {
 
 void GridNlp::add_linear_row(int sample) {
     const RuleSample& place = samples_[sample];
-    const PointRule& rule = *model_->rules[place.rule];
+    const PlacedRule& placed = model_->rules[place.rule];
+    const PointRule& rule = *placed;
     const WholeMotionRule* const whole = rule.whole();
     const RuleValue* const affine = whole ? nullptr : &affine_rule(place);
-    const AffineRow sum = whole ? whole->row(model_->design, place.at, place.side, place.setting)
+    const AffineRow sum = whole ? whole->row(model_->family_of(placed), place.at, place.side, place.setting)
                                 : linear_rule_row(place, *affine);
     const double unit = whole ? 1.0 : unit_of(place);
     Row row;
@@ -210,8 +213,9 @@ void GridNlp::add_curved_row(int sample) {
     const RuleSample& place = samples_[sample];
     Row row;
     row.sample = sample;
+    const MotionFamily& family = model_->family_of(model_->rules[place.rule]);
     for (int order = 0; order < 4; ++order) {
-        const AffineRow derivative = model_->design.functional(place.at, order, place.side);
+        const AffineRow derivative = family.functional(place.at, order, place.side);
         if (order == 0) {
             row.columns = derivative.columns;
             row.map = Eigen::MatrixXd::Zero(4, static_cast<Eigen::Index>(derivative.columns.size()));

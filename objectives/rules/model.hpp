@@ -72,6 +72,7 @@ struct Parameter {
     /// own, response, energy: its definition, also where a relaxation omits the rule; of an energy the only
     /// place, for it has no row.
     std::shared_ptr<const PointRule> defined_by = {};
+    bool of_cam = false;  ///< response, energy: of the cam's motion, as PlacedRule::of_cam
 };
 
 /// A rule and where it holds.
@@ -84,6 +85,7 @@ struct PlacedRule {
     double from = -infinity, until = infinity;  ///< x between which it holds
     Datum datum = Datum::zero;
     bool on_copies = false;  ///< on every copy of a stretch: it depends on the cam angle
+    bool of_cam = false;     ///< it sees the cam's motion where the output's is prescribed (CamModel)
 
     template <typename Rule>
     PlacedRule(std::shared_ptr<Rule> what, int where = -1)  // NOLINT(google-explicit-constructor)
@@ -148,6 +150,10 @@ struct CamModel {
     explicit CamModel(MotionFamily motions) : design(std::move(motions)) {}
 
     MotionFamily design;
+    /// Where the output's motion is prescribed: that of the cam, by the same entries. Rules of the cam see
+    /// it; `design` is what the objective and the conditions are about.
+    std::optional<MotionFamily> cam_motion;
+    DerivativeCombination to_cam;  ///< of `design`: what makes it the cam's
     std::vector<Parameter> parameters;
     std::vector<PlacedRule> rules;
     std::vector<ParameterRow> parameter_rows;
@@ -170,6 +176,23 @@ struct CamModel {
     /// not.
     double held_displacement = infinity, held_width = 0.0;
     std::vector<KnownPoint> known_points;  ///< ascending, both ends among them; fewer than 2: unknown
+
+    /// What the displacements that a rule sees range over, where those of `design` do over `y` and its first
+    /// two derivatives are at most `sup`.
+    [[nodiscard]] std::array<double, 2> seen_range(const PlacedRule& rule, std::array<double, 2> y,
+                                                   const std::array<double, 2>& sup) const;
+    /// The same as far as it is expected: where rules are expected to be convex.
+    [[nodiscard]] std::array<double, 2> expected_range(const PlacedRule& rule) const;
+    /// Whether it is the cam's motion that a rule sees, and not that of `design`.
+    [[nodiscard]] bool sees_cam(const PlacedRule& rule) const { return rule.of_cam && cam_motion; }
+    [[nodiscard]] const MotionFamily& family_of(bool cam) const {
+        return cam && cam_motion ? *cam_motion : design;
+    }
+    [[nodiscard]] const MotionFamily& family_of(const PlacedRule& rule) const {
+        return family_of(rule.of_cam);
+    }
+    /// The cam's motions: those of `design` unless the output's are prescribed.
+    [[nodiscard]] const MotionFamily& cam_family() const { return family_of(true); }
 
     [[nodiscard]] StretchScale stretch_scale(int stretch) const {
         return stretch_scales.empty() ? StretchScale{} : stretch_scales[static_cast<std::size_t>(stretch)];

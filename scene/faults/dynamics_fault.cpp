@@ -89,6 +89,39 @@ Fault motion_for_response_fault(const Scene& scene) {
     return std::nullopt;
 }
 
+/// What the cam of a prescribed output needs, and what was not thought through together with it.
+Fault prescribed_output_fault(const Scene& scene) {
+    constexpr const char* member = "dynamics.prescribe";
+    const auto found = [](const std::string& beside) { return fmt::format("\"output\" {}", beside); };
+    const SplineSpec& spline = scene.spline;
+    if (!scene.dynamics->stages.empty())
+        return SceneFault{member, found("with stages between cam and output"), "a train of one mass"};
+    if (spline.degree < 5)
+        return SceneFault{"spline.degree", fmt::format("{} with dynamics.prescribe = \"output\"", spline.degree),
+                          "5 or 7: the cam's acceleration has the output's fourth derivative in it"};
+    if (spline.smoothness() < 4)
+        return SceneFault{"spline.continuity",
+                          fmt::format("{} with dynamics.prescribe = \"output\"", spline.smoothness()),
+                          "4 or more: the cam's acceleration has the output's fourth derivative in it"};
+    if (spline.free_knots)
+        return SceneFault{member, found("with spline.breakpoints = \"free\""), "given breakpoints"};
+    if (scene.motion.start || scene.motion.end || scene.motion.relative)
+        return SceneFault{member, found("in a motion that does not start and end at rest"),
+                          "without motion.start, motion.end and closed = \"relative\""};
+    const auto law = std::ranges::find(scene.motion.segments, SegmentKind::law, &ProgramSegment::kind);
+    if (law != scene.motion.segments.end())
+        return SceneFault{member, found(fmt::format("with the law \"{}\"", law->law)),
+                          "splines and dwells: the cam of a law has impulses where the law's jerk jumps"};
+    if (scene.tolerance)
+        return SceneFault{"tolerance", "tolerances with dynamics.prescribe = \"output\"",
+                          "without one of the two: what an error of the cam does to the output is a vibration"};
+    if (scene.drive)
+        return SceneFault{"drive", "a motor with dynamics.prescribe = \"output\"", "a cam, or the motion alone"};
+    if (scene.is_given())
+        return SceneFault{member, found("with a given cam"), "\"cam\": the motion of a given cam is the cam's"};
+    return std::nullopt;
+}
+
 /// Residual vibration and forces alone do not bound the motion.
 Fault static_term_fault(const Scene& scene) {
     if (!weighs_response(scene.objective)) return std::nullopt;
@@ -136,6 +169,8 @@ Fault dynamics_fault(const Scene& scene) {
     if (Fault fault = stage_fault(*scene.dynamics)) return fault;
     if (Fault fault = train_choice_fault(*scene.dynamics)) return fault;
     if (Fault fault = speed_range_fault(scene)) return fault;
+    if (scene.prescribes_output())
+        if (Fault fault = prescribed_output_fault(scene)) return fault;
     if (!asks_response(scene)) return std::nullopt;
     if (Fault fault = motion_for_response_fault(scene)) return fault;
     if (Fault fault = static_term_fault(scene)) return fault;

@@ -16,7 +16,11 @@ namespace {
 Fault limit_unit_fault(const Scene& scene) {
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits)) {
-            const std::array names = {KeyNames{row.term().name(), row.spellings}};
+            if (row.of_cam && !scene.prescribes_output())
+                return SceneFault{fmt::format("limits.{}", row.key_name),
+                                  "a limit of the cam's own motion, which is the motion",
+                                  "only together with dynamics.prescribe = \"output\""};
+            const std::array names = {KeyNames{row.key_name, row.spellings}};
             if (Fault fault =
                     unit_fault(fmt::format("limits.{}", row.name()), limit->unit, scene.motion, names))
                 return fault;

@@ -42,7 +42,7 @@ std::optional<KeyValue> value_of_sides(const std::optional<double>& both, const 
 std::vector<const PeakLimitRow*> sides_of(const PeakLimitRow& both) {
     std::vector<const PeakLimitRow*> rows;
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (row.figure == both.figure) rows.push_back(&row);
+        if (std::string_view(row.key_name) == both.key_name) rows.push_back(&row);
     return rows;
 }
 

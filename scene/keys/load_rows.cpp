@@ -135,6 +135,12 @@ Rows dynamics() {
         {"dynamics", "preload", number, force_or_moment, not_negative, {}, "0",
          "What the return spring loads the cam with at displacement 0. Without spring and preload the cam guides the follower in both directions.",
          stored_in(&Scene::dynamics, &DynamicsSpec::preload)},
+        {"dynamics", "ground_damping", number, damper, not_negative, {}, "0", "Of a damper between the output and ground.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::ground_damping)},
+        {"dynamics", "prescribe", text, plain, any, {"cam", "output"}, "\"cam\"",
+         "Whose motion the spline is. `\"output\"`: the output moves as the spline says, and the cam gives what the elastic train "
+         "needs for it at `motion.speed` (polydyne, splinedyne); one mass, degree 5 or 7.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::prescribe)},
         {"dynamics", "speed_range", numbers, speed, positive, {}, "motion.speed",
          "Two speeds: terms and limits of the train hold from the first to the second.",
          stored_in(&Scene::dynamics, &DynamicsSpec::speed_range)},

@@ -25,6 +25,7 @@ struct Place {
     Side side = Side::right;
     std::array<StateRow, 4> state;
     std::vector<int> rules;  ///< of the model
+    bool of_cam = false;     ///< the state is that of the cam's motion, where the output's is prescribed
 
     [[nodiscard]] Eigen::VectorXd point(const Eigen::VectorXd& x) const;
 };
@@ -108,6 +109,7 @@ class Bounder {
 
     void add_places();
     void add_place(double at, Side side);
+    void add_place(double at, Side side, bool of_cam);
     void sync_linear(Node& node);
     void sync_places(Node& node);
     int log(BoxStep step);

@@ -50,17 +50,26 @@ Bounder::Bounder(const CamModel& model, double incumbent, const BoxBoundOptions&
       control_(control) {}
 
 void Bounder::add_place(double at, Side side) {
+    add_place(at, side, false);
+    if (whole_.model().cam_motion) add_place(at, side, true);
+}
+
+/// With the rules that see the same motion.
+void Bounder::add_place(double at, Side side, bool of_cam) {
     const CamModel& model = whole_.model();
-    const MotionFamily& family = model.design;
+    const MotionFamily& family = model.family_of(of_cam);
     const int variables = whole_.grid().shape().variables();
     const MotionFamily::Piece& piece = family.pieces()[static_cast<std::size_t>(family.piece_of(at, side))];
     for (const Place& place : places_)
-        if (place.side == side && std::abs(place.at - at) <= same_place * (piece.end - piece.begin)) return;
+        if (place.of_cam == of_cam && place.side == side &&
+            std::abs(place.at - at) <= same_place * (piece.end - piece.begin)) return;
     Place place;
     place.at = at;
     place.side = side;
+    place.of_cam = of_cam;
     for (int r = 0; r < static_cast<int>(model.rules.size()); ++r) {
         const PlacedRule& rule = model.rules[static_cast<std::size_t>(r)];
+        if (model.sees_cam(rule) != of_cam) continue;
         if (!can_be_bounded(*rule) || !rule.holds_on(piece) || !rule.holds_at(at)) continue;
         const std::vector<double>& only = rule->places();
         if (!only.empty() && std::ranges::find(only, at) == only.end()) continue;

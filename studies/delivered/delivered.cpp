@@ -108,7 +108,7 @@ Delivered sample_delivered(const Solution& solution) {
         all.rows.push_back({row.x, row.side, motion.at(row.x, row.side), closing, {}, {}});
     };
     for (const MotionRow& row :
-         motion_rows(*solution.motion, solution.motion_peaks, solution.scene.motion.own_place(0.0)))
+         motion_rows(*solution.motion, solution.cam_peaks, solution.scene.motion.own_place(0.0)))
         add(*solution.motion, row, false);
     if (solution.drive) {
         const DriveAlong along(solution.scene);

@@ -37,7 +37,7 @@ std::vector<const SplineCurve*> curves_of(const Solution& solution) {
 std::optional<Fault> joint_fault(const Solution& solution) {
     JointJump worst;
     for (const SplineCurve* curve : curves_of(solution)) {
-        const JointJump jump = worst_joint_jump(*curve, solution.motion_peaks);
+        const JointJump jump = worst_joint_jump(*curve, solution.cam_peaks);
         if (is_worse(jump.relative, worst.relative)) worst = jump;
     }
     if (worst.relative <= largest_joint_jump) return {};
@@ -154,7 +154,7 @@ std::optional<Fault> limit_between_fault(const Solution& solution) {
 std::optional<Fault> unbounded_fault(const Solution& solution) {
     constexpr double nearly = 0.5;
     if (!(solution.scene.objective.area > 0.0)) return {};
-    if (!(lost_area(*solution.motion) < 1.0 - nearly * farthest_displacement)) return {};
+    if (!(lost_area(solution.output_motion()) < 1.0 - nearly * farthest_displacement)) return {};
     return Fault{
         Reason::unbounded,
         "the objective has no least value: the more a motion leaves the lift, the less area is lost, "
@@ -258,7 +258,7 @@ void audit_given(Solution& solution) {
                 certificate.worst_violation, limit_excess(report) / limit_scale(solution.scene, cam, report));
     std::optional<Fault> fault = joint_fault(solution);
     for (const SplineCurve* curve : curves_of(solution))
-        if (!fault) fault = coefficient_fault(*curve, solution.motion_peaks);
+        if (!fault) fault = coefficient_fault(*curve, solution.cam_peaks);
     if (!fault) fault = cam_fault(solution);
     if (!fault) return tell_of_enclosures(solution);
     fail(certificate, fault->reason);
@@ -272,10 +272,11 @@ bool cam_can_be_built(const Solution& solution) {
 
 void withdraw_motion(Solution& solution) {
     solution.motion.reset();
+    solution.output.reset();
     solution.curve.reset();
     solution.segments.clear();
     solution.cam.reset();
-    solution.peaks = solution.motion_peaks = {};
+    solution.peaks = solution.motion_peaks = solution.cam_peaks = {};
     solution.own_terms.clear();
     solution.drive.reset();
     solution.surge.reset();
@@ -328,7 +329,7 @@ void audit_delivered(Solution& solution) {
     std::optional<Fault> fault = unbounded_fault(solution);
     if (!fault) fault = joint_fault(solution);
     for (const SplineCurve* curve : curves_of(solution))
-        if (!fault) fault = coefficient_fault(*curve, solution.motion_peaks);
+        if (!fault) fault = coefficient_fault(*curve, solution.cam_peaks);
     if (!fault) fault = condition_fault(solution);
     if (!fault) fault = cam_fault(solution);
     if (!fault) fault = limit_fault(solution);

@@ -130,11 +130,12 @@ LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const Constrai
     return {reached, excess <= std::max(just_reached, 10.0 * scene.solver.tolerance) * scale, excess, scale};
 }
 
-std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion) {
+std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion,
+                                            const Motion& cam) {
     std::vector<ConstraintReport> all;
     double nearest = 0.0;  // of the bounds with one key: how far the motion exceeds it, by its scale
     for (const WrittenBound& bound : motion_bounds(scene)) {
-        const Extremum worst = extreme_of(bound, motion);
+        const Extremum worst = extreme_of(bound, bound.of_cam ? cam : motion);
         const double excess = (worst.value - bound.bound) / bound.scale;
         const bool same = !all.empty() && all.back().key == bound.key;
         if (same && excess <= nearest) continue;
@@ -153,7 +154,7 @@ std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& mo
         const auto [first, last] = limited_harmonics(scene);
         double largest = 0.0;
         for (int order = first; order <= last; ++order)
-            largest = std::max(largest, harmonic_amplitude(scene.motion, motion, order));
+            largest = std::max(largest, harmonic_amplitude(scene.motion, cam, order));
         all.push_back({"spring_harmonic", limit->key, limit->given(),
                        largest * scene.motion.lift / limit->unit_value, limit->unit, motion.begin(), false,
                        true});
@@ -164,8 +165,8 @@ std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& mo
 std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures) {
     std::vector<LimitOutcome> all;
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (row.side == 0) add_peak_limit(all, row, scene, figures);
-    for (const ConstraintReport& reached : bound_reports(scene, figures.motion))
+        if (row.on_peak()) add_peak_limit(all, row, scene, figures);
+    for (const ConstraintReport& reached : bound_reports(scene, figures.motion, figures.motion))
         all.push_back(outcome_of(scene, nullptr, reached));
     add_set_points(all, scene, figures.motion);
     add_ends(all, scene, figures.motion);

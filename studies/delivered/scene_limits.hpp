@@ -28,8 +28,10 @@ struct MotionFigures {
 /// breakpoints at samples.
 [[nodiscard]] std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures);
 
-/// Limits of one side and corridors (objectives/motion_bounds.hpp), one report for each key.
-[[nodiscard]] std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion);
+/// Limits of one side, of the cam's own motion, and corridors (objectives/motion_bounds.hpp), one report for
+/// each key. `cam`: the cam's motion, the same but where the output's is prescribed.
+[[nodiscard]] std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion,
+                                                          const Motion& cam);
 
 /// x and side of every place where a scene with spline.end_jerk wants y''' = 0: the ends, of a program where
 /// a spline meets a dwell.

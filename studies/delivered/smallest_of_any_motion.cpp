@@ -155,6 +155,7 @@ std::optional<AnyCurveLimit> any_curve_limit_of(const Scene& scene, const Peaks&
 }  // namespace
 
 std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, const DrivenMechanism& cam) {
+    if (scene.prescribes_output()) return {};  // its strokes are the output's
     const std::vector<SmallestCamReport> all = smallest_of_strokes(scene, cam);
     const auto largest = std::ranges::max_element(all, {}, &SmallestCamReport::prime_radius);
     if (largest == all.end()) return {};

@@ -325,12 +325,16 @@ struct Solution {
     Certificate certificate;
     /// The delivered motion; none where nothing feasible was found. A prescribed one may violate limits.
     std::shared_ptr<const MotionChain> motion;
-    std::optional<SplineCurve> curve;     ///< the same as one spline: DRD and RR
+    /// Where the scene prescribes the output of its train: the output's motion; `motion` is then the cam's.
+    /// Null: they are one.
+    std::shared_ptr<const MotionChain> output;
+    std::optional<SplineCurve> curve;     ///< `motion` as one spline: DRD and RR
     std::vector<SegmentReport> segments;  ///< of a program
     std::optional<CamReport> cam;         ///< where the scene has a cam and there is a motion
-    Peaks peaks;                          ///< of the delivered motion, exact, normalised
+    Peaks peaks;                          ///< of output_motion(), exact, normalised
     /// Of the motion in lifts and units of x: what physical peaks come from. The same but for a program.
     Peaks motion_peaks;
+    Peaks cam_peaks;        ///< of `motion`, likewise; without an output of its own the same
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
     std::optional<MeasuredReport> measured;
@@ -355,6 +359,8 @@ struct Solution {
     /// Of an axis of a machine: its phase and the clearances that shape it, in words; empty: a motion alone.
     std::string machine = {};
 
+    /// What the objective and the conditions of the scene are about. There is a motion.
+    [[nodiscard]] const MotionChain& output_motion() const { return output ? *output : *motion; }
     /// The delivered motion over the whole turn, x from 0 to 2π / unit angle: what it leaves of the turn
     /// rests where it ends; of a motion whose ends move the motion itself. Throws InputError where there is
     /// no motion.

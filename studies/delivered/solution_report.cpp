@@ -3,6 +3,7 @@
 
 #include "motions/laws/law.hpp"
 #include "objectives/drive_rules.hpp"
+#include "objectives/scene_family.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/cam_report.hpp"
@@ -63,7 +64,7 @@ SplineCurve curve_of(const ChainPart& part) {
 }
 
 void report_segments(Solution& solution) {
-    const MotionChain& motion = *solution.motion;
+    const MotionChain& motion = solution.output_motion();
     const std::vector<StretchScale> scales = peak_scales(solution.scene);
     const bool given = solution.scene.is_given();
     JoinedMeans means;
@@ -88,8 +89,9 @@ void report_segments(Solution& solution) {
         if (given && written.kind == SegmentKind::dwell)
             raise_peaks(solution.motion_peaks, peaks_of(curve_of(part)));
         if (report.kind == SegmentKind::spline) {
-            report.curve = curve_of(part);
-            const Peaks own = peaks_of(*report.curve);
+            report.curve = curve_of(solution.motion->parts()[s]);
+            const Peaks own = peaks_of(solution.output ? curve_of(part) : *report.curve);
+            if (solution.output) raise_peaks(solution.cam_peaks, peaks_of(*report.curve));
             report.peaks = normalised_peaks(own, scales[s]);
             raise_peaks(solution.peaks, *report.peaks);
             raise_peaks(solution.motion_peaks, own);
@@ -117,13 +119,13 @@ void report_segments(Solution& solution) {
 
 void report_peak_limits(Solution& solution) {
     for (const PeakLimitRow& row : peak_limit_rows()) {
-        if (row.side != 0) continue;
+        if (!row.on_peak()) continue;
         const std::optional<PeakLimit>& limit = row.in(solution.scene.limits);
         const bool in_time = limit && limit->physical();
         report_peak_limit(solution, row.name(), limit,
                           derivative_peak(in_time ? solution.motion_peaks : solution.peaks, row.order()));
     }
-    for (ConstraintReport& reached : bound_reports(solution.scene, *solution.motion))
+    for (ConstraintReport& reached : bound_reports(solution.scene, solution.output_motion(), *solution.motion))
         solution.constraints.push_back(std::move(reached));
 }
 
@@ -154,16 +156,25 @@ SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double
 
 void report_delivered(Solution& solution, MotionAndCam delivered) {
     solution.motion = std::move(delivered.motion);
+    if (solution.scene.prescribes_output())
+        solution.output =
+            std::make_shared<const MotionChain>(solved(*solution.motion, cam_of_output(solution.scene)));
     if (solution.scene.motion.type == MotionType::program) {
         report_segments(solution);
     } else {
-        solution.curve = dynamic_cast<const SplineCurve&>(*solution.motion->parts().front().shape);
-        solution.peaks = solution.motion_peaks = peaks_of(*solution.curve);
+        const auto curve_of_all = [](const MotionChain& motion) -> const SplineCurve& {
+            return dynamic_cast<const SplineCurve&>(*motion.parts().front().shape);
+        };
+        solution.curve = curve_of_all(*solution.motion);
+        solution.peaks = solution.motion_peaks = peaks_of(curve_of_all(solution.output_motion()));
+        if (solution.output) solution.cam_peaks = peaks_of(*solution.curve);
     }
+    if (!solution.output) solution.cam_peaks = solution.motion_peaks;
     report_peak_limits(solution);
     report_cam(solution, std::move(delivered.dimensions));
-    solution.own_terms = own_term_reports(solution.scene, *solution.motion);
-    const std::vector<ConstraintReport> own = own_constraints(solution.scene, *solution.motion);
+    solution.own_terms = own_term_reports(solution.scene, solution.output_motion());
+    const std::vector<ConstraintReport> own =
+        own_constraints(solution.scene, solution.output_motion());
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
     report_responses(solution);
     if (solution.scene.drive) solution.drive = drive_figures(solution.scene, *solution.motion);
@@ -193,7 +204,7 @@ void set_scene(Solution& solution, Scene scene) {
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
     const CamModel& model = problem.model();
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
-    MotionAndCam delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}};
+    MotionAndCam delivered{std::make_shared<const MotionChain>(problem.cam_motion(x)), {}};
     std::vector<std::string> spring;
     std::vector<double> chosen;
     if (model.cam) {

@@ -57,7 +57,7 @@ LimitKey limit_key(const Scene& scene, std::string_view key) {
         return static_cast<const Spelling*>(nullptr);
     };
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (const Spelling* spelling = find(row.term().name(), row.spellings, side_of_key(row.side)))
+        if (const Spelling* spelling = find(row.key_name, row.spellings, side_of_key(row.side)))
             return {&row, nullptr, spelling};
     const bool swings = scene.motion.lift_is_angle;
     for (const LimitRow& row : limit_rows()) {
@@ -91,7 +91,7 @@ bool is_excluded(const Scene& scene, const LimitKey& limit) {
     if (limit.peak == nullptr) return false;
     return std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
         const auto& given = row.in(scene.limits);
-        if (!given || &row == limit.peak || row.order() != limit.peak->order()) return false;
+        if (!given || &row == limit.peak || std::string_view(row.key_name) != limit.peak->key_name) return false;
         return row.side == 0 || limit.peak->side == 0 || given->unit != limit.spelling->unit;
     });
 }

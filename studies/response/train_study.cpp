@@ -162,7 +162,7 @@ bool is_damped(const DynamicsSpec& spec) {
 }
 
 bool asks_train(const Scene& scene) {
-    return weighs_response(scene.objective) || std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
+    return scene.prescribes_output() || weighs_response(scene.objective) || std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
                return row.needs_dynamics && row.in(scene.limits).has_value();
            });
 }
@@ -182,6 +182,9 @@ SpeedSweep default_speeds(const Scene& scene) {
 
 Scene without_train(const Scene& scene) {
     Scene rigid = scene;
+    rigid.dynamics.value().prescribe = PrescribedMotion::cam;
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (row.of_cam) row.in(rigid.limits).reset();
     for (const ResponseTerm& term : response_terms())
         if (term.needs_dynamics()) rigid.objective.*term.weight = 0.0;
     for (const LimitRow& row : limit_rows())

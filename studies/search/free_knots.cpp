@@ -105,7 +105,7 @@ bool limits_peaks_alone(const Scene& scene) {
            !(scene.cam && scene.cam->face_half_width) &&
            std::ranges::none_of(
                peak_limit_rows(),
-               [&](const PeakLimitRow& row) { return row.side != 0 && row.in(scene.limits).has_value(); }) &&
+               [&](const PeakLimitRow& row) { return !row.on_peak() && row.in(scene.limits).has_value(); }) &&
            std::ranges::none_of(limit_rows(),
                                 [&](const LimitRow& row) { return row.in(scene.limits).has_value(); });
 }

@@ -104,7 +104,7 @@ class DirectionSearch {
     [[nodiscard]] int beside_passed_turning_point(const Case& part) const {
         const int count = static_cast<int>(family_.own_stretches().size());
         for (const std::size_t i :
-             passed_turning_points(scene_, family_, *part.solution.motion, part.directions))
+             passed_turning_points(scene_, family_, part.solution.output_motion(), part.directions))
             for (const int segment : {static_cast<int>(i), (static_cast<int>(i) + count - 1) % count})
                 for (std::size_t k = 0; k < free_.size(); ++k)
                     if (strokes_[free_[k]].stretch == segment && part.directions[k] == StrokeDirection::open)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_plan.hpp"
 
+#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/least/least_value.hpp"
 #include "studies/solve/solve.hpp"
@@ -25,7 +27,7 @@ bool set_number(Scene& scene, std::string_view key, double value) {
     }
     for (const PeakLimitRow& row : peak_limit_rows()) {
         std::optional<PeakLimit>& limit = row.in(scene.limits);
-        if (row.side != 0 || !limit || limit->key != key || !(limit->one_normalised > 0.0)) continue;
+        if (!row.on_peak() || !limit || limit->key != key || !(limit->one_normalised > 0.0)) continue;
         limit->given = value;
         limit->normalised = value / limit->one_normalised;
         return true;
@@ -331,7 +333,7 @@ bool may_prove_neighbours(SweepScenes& scenes) {
     return differ_in_peak_limits_only(first, first) &&
            std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
                const std::optional<PeakLimit>& limit = row.in(first.limits);
-               return row.side == 0 && limit && limit->key == key;
+               return row.on_peak() && limit && limit->key == key;
            });
 }
 

@@ -171,7 +171,7 @@ TEST(LimitTable, EveryRowIsReportedEverywhere) {
 
 /// "velocity_mm_s = 1e9", "velocity_mm_s = { min = -1e9 }".
 std::string cap_line(const PeakLimitRow& row, const Spelling& spelling, double value) {
-    const std::string key = row.term().name() + std::string(spelling.suffix);
+    const std::string key = row.key_name + std::string(spelling.suffix);
     if (row.side == 0) return fmt::format("{} = {}", key, value);
     return fmt::format("{} = {{ {} = {} }}", key, row.side < 0 ? "min" : "max", row.side * value);
 }
@@ -179,7 +179,7 @@ std::string cap_line(const PeakLimitRow& row, const Spelling& spelling, double v
 TEST(LimitTable, EveryPeakCapIsFullySupported) {
     for (const PeakLimitRow& row : peak_limit_rows())
         for (const Spelling& spelling : row.spellings) {
-            const std::string written = row.term().name() + std::string(spelling.suffix);
+            const std::string written = row.key_name + std::string(spelling.suffix);
             const std::string key = written + (row.side == 0 ? "" : row.side < 0 ? ".min" : ".max");
             SCOPED_TRACE(key);
             const bool swings = spelling.unit.starts_with("deg") || spelling.unit.starts_with("rad");
