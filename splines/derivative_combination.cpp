@@ -22,13 +22,6 @@ Eigen::MatrixXd derived(const Eigen::MatrixXd& polynomials, int order) {
     return result;
 }
 
-Eigen::MatrixXd combined_polynomials(const Eigen::MatrixXd& polynomials, const DerivativeCombination& of) {
-    Eigen::MatrixXd sum = of.weights[0] * polynomials;
-    for (int order = 1; order <= of.highest_order(); ++order)
-        sum += of.weights[static_cast<std::size_t>(order)] * derived(polynomials, order);
-    return sum;
-}
-
 /// From the highest power down: w_0 a_m = b_m − w_1 (m + 1) a_{m+1} − w_2 (m + 1)(m + 2) a_{m+2}.
 Eigen::MatrixXd solved_polynomials(Eigen::MatrixXd polynomials, const DerivativeCombination& of) {
     const Eigen::Index terms = polynomials.rows();
@@ -53,9 +46,16 @@ std::shared_ptr<const SplineCurve> solved_curve(const Motion& shape, const Deriv
 
 }  // namespace
 
+Eigen::MatrixXd combined(const Eigen::MatrixXd& polynomials, const DerivativeCombination& of) {
+    Eigen::MatrixXd sum = of.weights[0] * polynomials;
+    for (int order = 1; order <= of.highest_order(); ++order)
+        sum += of.weights[static_cast<std::size_t>(order)] * derived(polynomials, order);
+    return sum;
+}
+
 LocalMap combined(LocalMap map, const DerivativeCombination& of) {
-    map.matrix = combined_polynomials(map.matrix, of);
-    map.offset = combined_polynomials(map.offset, of);
+    map.matrix = combined(map.matrix, of);
+    map.offset = combined(map.offset, of);
     return map;
 }
 

@@ -23,6 +23,9 @@ struct DerivativeCombination {
     [[nodiscard]] int highest_order() const { return weights[2] != 0.0 ? 2 : weights[1] != 0.0 ? 1 : 0; }
 };
 
+/// Of polynomials, one a column, by ascending powers.
+[[nodiscard]] Eigen::MatrixXd combined(const Eigen::MatrixXd& polynomials, const DerivativeCombination& of);
+
 /// The local polynomial of s from that of y, as affine maps of the same entries.
 [[nodiscard]] LocalMap combined(LocalMap map, const DerivativeCombination& of);
 

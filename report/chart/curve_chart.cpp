@@ -24,7 +24,7 @@ PlotAxis value_axis(const Curve& curve) {
     for (const double value : curve.values) range.add(value);
     for (const CurveMark& mark : curve.marks) range.add(mark.value);
     for (const auto& [at, value] : curve.points) range.add(value);
-    for (const auto* other : {&curve.reference, &curve.measured})
+    for (const auto* other : {&curve.reference, &curve.measured, &curve.cam})
         if (*other)
             for (const double value : (*other)->values) range.add(value);
     const double size = std::max(range.upper, -range.lower);
@@ -119,6 +119,7 @@ ChartPanel panel_of(const CurveSet& set, const Curve& curve, std::size_t rows, b
         for (std::size_t i = 0; i < rows; ++i) line.points.push_back({set.angles[i], values[i]});
         panel.series.push_back(std::move(line));
     };
+    if (curve.cam) add_line(curve.cam->values, "cam-line", curve.cam->title);
     if (curve.measured) add_line(curve.measured->values, "measured", curve.measured->title);
     if (curve.reference) add_line(curve.reference->values, "reference", curve.reference->title);
     ChartSeries table{Look::dot, "measured-point", {}, 1.4, "rows of the table"};

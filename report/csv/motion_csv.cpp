@@ -28,7 +28,7 @@ std::string header(const Columns& columns) {
 /// A row as the columns read it, of its first station, by the angle of the cam.
 TableRow table_row(const View& view, const DeliveredRow& row) {
     return {view.units.degrees_per_x * row.x, row.motion, row.cam.empty() ? nullptr : &row.cam.front(),
-            row.loads.value_or(FollowerLoads()), row.drive.value_or(DrivePoint())};
+            row.loads.value_or(FollowerLoads()), row.drive.value_or(DrivePoint()), row.output};
 }
 
 void add_cells(CsvLine& line, const View& view, const Columns& columns, const DeliveredRow& row) {
@@ -48,7 +48,7 @@ bool is_smooth_joint(const Solution& solution) {
     const MotionChain& motion = *solution.motion;
     const double jump =
         motion.at(motion.end(), Side::left).derivative[3] - motion.at(motion.begin()).derivative[3];
-    return std::abs(jump) <= round_off * solution.motion_peaks.jerk.value;
+    return std::abs(jump) <= round_off * solution.cam_peaks.jerk.value;
 }
 
 /// One revolution of the master from its angle 0, which the motion passes at x = at_zero, a sample: a row
@@ -229,6 +229,7 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
                              : place_on(breakpoints, after_zero - (next ? motion.end() : 0.0));
         TableRow row{theta, motion.at(x, side)};
         row.motion.x = x;
+        row.output = output_at(solution, x, side);
         if (plane) row.cam = &view.delivered.cam->at(row.motion, 0);
         if (loads) row.loads = loads(row.motion, *view.delivered.cam);
         if (drive) row.drive = drive->at(row.motion, side);

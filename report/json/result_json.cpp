@@ -2,6 +2,7 @@
 #include "report/json/result_json.hpp"
 
 #include "core/version.hpp"
+#include "objectives/scene_family.hpp"
 #include "report/document/common_figures.hpp"
 #include "report/json/result_fields.hpp"
 #include "report/view/columns.hpp"
@@ -18,9 +19,12 @@ namespace {
 /// The peaks in physical units, named like the columns of motion.csv.
 Json physical_peaks_json(const Solution& solution) {
     if (!solution.motion) return nullptr;
-    const Peaks& peaks = solution.motion_peaks;
+    const auto derivatives = [](const Peaks& peaks) {
+        return std::array{0.0, peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
+    };
     TableRow row;
-    row.motion.derivative = {0.0, peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
+    row.motion.derivative = derivatives(solution.cam_peaks);
+    if (solution.output) row.output = MotionPoint{0.0, derivatives(solution.motion_peaks)};
     Json json = Json::object();
     for (const TableColumn* column : motion_columns(solution.scene))
         if (column->order > 0) json[column->key] = number_json(column->value(solution.scene.motion, row));
@@ -42,7 +46,7 @@ Json set_points_json(const Solution& solution) {
     const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json list = Json::array();
     for (const SetPointReport& report :
-         set_point_reports(solution.scene.motion, solution.scene.spline.degree, *solution.motion)) {
+         set_point_reports(solution.scene.motion, solution.scene.spline.degree, solution.output_motion())) {
         const bool region = report.point.is_region();
         list.push_back(
             {{"key", report.key},
@@ -231,6 +235,9 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     bound_fields(writer.at("bound"), limit, to_write(solution.solver));
     json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
     json["physical_peaks"] = physical_peaks_json(solution);
+    if (solution.output)  // s = w_0 y + w_1 y' + w_2 y'', in lifts over x: "motion" is s, "peaks" are of y
+        json["cam_of_output"] = {{"weights", cam_of_output(solution.scene).weights},
+                                 {"peaks", peaks_json(solution.cam_peaks)}};
     json["reference"] = reference_json(solution);
     json["worst_violation"] = number_json(certificate.worst_violation);
     json["stationarity"] = number_json(certificate.stationarity);

@@ -94,6 +94,7 @@ Json curves_part(const std::vector<Curve>& curves) {
                        {"points", std::move(points)},
                        {"limits", limits_json(curve)},
                        {"marks", marks_json(curve)}});
+        if (curve.cam) all.back()["cam"] = compared_json(curve.cam);
     }
     return all;
 }

@@ -31,6 +31,20 @@ std::string speeds_words(const std::array<double, 2>& speeds) {
     return fmt::format("from {} to {} rpm", rpm_text(speeds[0]), rpm_text(speeds[1]));
 }
 
+/// What the cam does so that the output moves as is wanted. There is an output of its own.
+std::string cam_sentence(const Solution& solution) {
+    const ShownUnits shown = shown_units(solution.scene);
+    const auto peak = [&](std::size_t order) {
+        const Extremum& found = derivative_peak(solution.cam_peaks, static_cast<int>(order));
+        return fmt::format("{} {} at {} deg", derivative_names[order],
+                           shown.motion[order].first.normalised_text(found.value), degrees_at(solution, found.at));
+    };
+    return fmt::format(
+        "the motion is the output's; the cam gives what the train needs for it at {} rpm, and its own largest {}, "
+        "{} and {}",
+        rpm_text(*solution.scene.motion.speed), peak(1), peak(2), peak(3));
+}
+
 }  // namespace
 
 std::string own_term_sentence(const OwnTermReport& term) {
@@ -49,6 +63,7 @@ std::vector<std::string> train_sentences(const Solution& solution) {
         fmt::format("elastic follower train of {} Hz: {} natural periods in the rise at {} rpm",
                     listed(train.natural_frequencies, ", ", hertz_text), short_text(train.frequency_ratio, 4),
                     rpm_text(*scene.motion.speed))};
+    if (solution.output) sentences.push_back(cam_sentence(solution));
     if (!train.acceleration) {
         sentences.emplace_back(
             "no dwell: the motion never rests, so there is no transient from rest and no residual vibration "

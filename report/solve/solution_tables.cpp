@@ -279,7 +279,7 @@ Table set_point_table(const Solution& solution) {
                 {{.key = "set_point", .left = true}, angle_field("at"), {"wanted"}, {"found"}}};
     const double unit_angle = solution.scene.motion.unit_angle();
     for (const SetPointReport& report :
-         set_point_reports(solution.scene.motion, solution.scene.spline.degree, *solution.motion)) {
+         set_point_reports(solution.scene.motion, solution.scene.spline.degree, solution.output_motion())) {
         const bool along = report.point.is_region() && report.order > 0;
         Cell at(report.point.begin * unit_angle);
         if (along)

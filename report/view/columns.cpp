@@ -28,16 +28,22 @@ constexpr auto jerks =
     units_named<"mm/rad^3", "mm/deg^3", "mm/s^3", "m/rad^3", "m/deg^3", "m/s^3", "in/rad^3", "in/deg^3",
                 "in/s^3", "deg/rad^3", "deg/deg^3", "deg/s^3", "rad/rad^3", "rad/deg^3", "rad/s^3">;
 
-void add_derivatives(std::vector<TableColumn>& rows, std::size_t order, std::span<const Spelling> shown) {
+/// Of the motion, or with "output_" before the key of the prescribed output.
+void add_derivatives(std::vector<TableColumn>& rows, std::size_t order, std::span<const Spelling> shown,
+                     bool output) {
     for (const Spelling& unit : shown) {
         const bool in_time = is_unit_of_time(unit.unit);
         const unsigned need = (is_angle_unit(unit.unit) ? ColumnNeed::angle : ColumnNeed::length) |
-                              (in_time ? ColumnNeed::speed : 0U);
-        rows.push_back({fmt::format("{}{}", (in_time ? keys_in_time : keys_of_angle)[order], unit.suffix),
-                        fmt::format("{} in {}", derivative_names[order], unit.unit), need, order,
+                              (in_time ? ColumnNeed::speed : 0U) | (output ? ColumnNeed::output : 0U);
+        rows.push_back({fmt::format("{}{}{}", output ? "output_" : "",
+                                    (in_time ? keys_in_time : keys_of_angle)[order], unit.suffix),
+                        fmt::format("{}{} in {}", output ? "the output's " : "", derivative_names[order],
+                                    unit.unit),
+                        need, order,
                         [=, size = unit.factor](const MotionSpec& motion, const TableRow& row) {
                             const double rate = (in_time ? motion.speed.value() : 1.0) / motion.unit_angle();
-                            return row.motion.derivative[order] * motion.lift *
+                            const MotionPoint& point = output ? row.output.value() : row.motion;
+                            return point.derivative[order] * motion.lift *
                                    std::pow(rate, static_cast<int>(order)) / size;
                         }});
     }
@@ -109,10 +115,12 @@ std::vector<TableColumn> all_columns() {
     for (std::size_t order = 0; order < keys_by_x.size(); ++order)
         rows.push_back({keys_by_x[order], fmt::format("{}, normalised", derivative_names[order]), 0, 0,
                         [order](const auto&, const TableRow& row) { return row.motion.derivative[order]; }});
-    add_derivatives(rows, 0, displacements);
-    add_derivatives(rows, 1, velocities);
-    add_derivatives(rows, 2, accelerations);
-    add_derivatives(rows, 3, jerks);
+    for (const bool output : {false, true}) {
+        add_derivatives(rows, 0, displacements, output);
+        add_derivatives(rows, 1, velocities, output);
+        add_derivatives(rows, 2, accelerations, output);
+        add_derivatives(rows, 3, jerks, output);
+    }
     rows.push_back({"motor_torque_nm", "torque of the motor in N m", ColumnNeed::drive, 0,
                     [](const auto&, const TableRow& row) { return row.drive.torque; }});
     rows.push_back({"motor_speed_rpm", "speed of the motor in rpm", ColumnNeed::drive, 0,
@@ -145,6 +153,8 @@ constexpr Need needs[] = {{ColumnNeed::speed, "motion.speed_rpm",
                           {ColumnNeed::travel, "a cam that slides", slides},
                           {ColumnNeed::drive, "a [drive] table",
                            [](const Solution& solution) { return solution.drive.has_value(); }},
+                          {ColumnNeed::output, "dynamics.prescribe = \"output\"",
+                           [](const Solution& solution) { return solution.output != nullptr; }},
                           {ColumnNeed::length, "a lift that is a length",
                            [](const Solution& solution) { return !solution.scene.motion.lift_is_angle; }},
                           {ColumnNeed::angle, "a lift that is an angle",
@@ -200,6 +210,10 @@ Columns motion_columns(const Scene& scene) {
                     {"t_s", "v_deg_s", "a_deg_s2", "j_deg_s3", "v_rad_s", "a_rad_s2", "j_rad_s3"});
     else if (motion.speed)
         keys.insert(keys.end(), {"t_s", "v_mm_s", "a_mm_s2", "j_mm_s3", "a_m_s2", "j_m_s3"});
+    if (scene.prescribes_output() && motion.lift_is_angle)
+        keys.insert(keys.end(), {"output_s_deg", "output_v_deg_s", "output_a_deg_s2", "output_j_deg_s3"});
+    else if (scene.prescribes_output())
+        keys.insert(keys.end(), {"output_s_mm", "output_v_mm_s", "output_a_mm_s2", "output_j_mm_s3"});
     if (scene.drive) keys.insert(keys.end(), {"motor_torque_nm", "motor_speed_rpm"});
     return columns_of(keys);
 }

@@ -11,7 +11,7 @@ namespace camopt {
 /// What a column may need beside a motion, bit by bit.
 struct ColumnNeed {
     static constexpr unsigned speed = 1, plane_cam = 2, forces = 4, length = 8, angle = 16,
-                              contact_width = 32, drive = 64, travel = 128;
+                              contact_width = 32, drive = 64, travel = 128, output = 256;
 };
 
 /// "needs motion.speed_rpm"; empty: nothing.
@@ -24,6 +24,7 @@ struct TableRow {
     const MechanismPoint* cam = nullptr;
     FollowerLoads loads = {};  ///< where the cam has forces
     DrivePoint drive = {};     ///< where there is a motor
+    std::optional<MotionPoint> output = {};  ///< where it is prescribed, and `motion` is the cam's
 };
 
 struct TableColumn {

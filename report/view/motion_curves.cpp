@@ -21,13 +21,13 @@ constexpr std::array<const char*, 4> titles = {"Displacement", "Velocity", "Acce
 std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
     std::vector<CurveLimit> all;
     const Scene& scene = view.solution.scene;
-    const Motion& motion = *view.solution.motion;
+    const Motion& motion = view.solution.output_motion();
     for (const WrittenBound& bound : motion_bounds(scene)) {
         if (bound.of_motor() || bound.order != static_cast<int>(unit.order)) continue;
         all.push_back({view.degrees(std::max(bound.from, motion.begin())),
                        view.degrees(std::min(bound.until, motion.end())),
                        unit.per_normalised * bound.sign * bound.bound, bound.sign,
-                       fmt::format("limit {}{}{}", short_text(bound.given), bound.unit.empty() ? "" : " ",
+                       fmt::format("{}limit {}{}{}", bound.of_cam ? "the cam's " : "", short_text(bound.given), bound.unit.empty() ? "" : " ",
                                    unit_words(bound.unit))});
     }
     return all;
@@ -40,7 +40,7 @@ std::vector<CurveLimit> limits_of(const View& view, const MotionUnit& unit) {
     const std::optional<PeakLimit>& limit = peak_limit_of(view.solution.scene.limits, order);
     if (!limit) return all;
     std::vector<LimitSpan> spans = segment_limits(view.solution, *limit, order);
-    const Motion& motion = *view.solution.motion;
+    const Motion& motion = view.solution.output_motion();
     const bool by_segment = !spans.empty();
     if (!by_segment) spans.push_back({motion.begin(), motion.end(), limit->normalised});
     const std::string words =
@@ -187,7 +187,12 @@ std::vector<Curve> motion_curves(const View& view) {
         const PeakRow* const row = order == 0 ? nullptr : &peaks[order - 1];
         Curve curve{shown.name, "motion", titles[order], unit.symbol, static_cast<const ShownUnit&>(unit)};
         for (const DeliveredRow& place : view.delivered.rows)
-            curve.values.push_back(unit.per_normalised * place.motion.derivative[order]);
+            curve.values.push_back(unit.per_normalised * place.output_motion().derivative[order]);
+        if (view.solution.output) {
+            curve.cam = ComparedCurve{"the cam", {}};
+            for (const DeliveredRow& place : view.delivered.rows)
+                curve.cam->values.push_back(unit.per_normalised * place.motion.derivative[order]);
+        }
         curve.beside = shown.beside;
         if (shown.beside) curve.beside_factor = shown.beside->per_normalised / unit.per_normalised;
         curve.normalised_factor = 1.0 / unit.per_normalised;

@@ -73,7 +73,7 @@ std::string reference_title(const ReferenceMotion& reference) {
 }
 
 SignedPeaks signed_peaks(const Solution& solution, int order) {
-    const Motion& motion = *solution.motion;
+    const Motion& motion = solution.output_motion();
     const auto index = static_cast<std::size_t>(order);
     SignedPeaks peaks{derivative_peak(solution.motion_peaks, order), {}};
     Extremum& largest = peaks.largest;
@@ -92,7 +92,7 @@ SignedPeaks signed_peaks(const Solution& solution, int order) {
 std::vector<Excursion> excursions(const Solution& solution) {
     std::vector<Excursion> all;
     if (!solution.motion) return all;
-    const Motion& motion = *solution.motion;
+    const Motion& motion = solution.output_motion();
     if (solution.segments.empty()) add_excursions(all, motion, {}, motion.begin(), motion.end());
     for (int i = 0; i < static_cast<int>(solution.segments.size()); ++i) {
         const SegmentReport& segment = solution.segments[i];

@@ -72,6 +72,13 @@ std::string open_because(const Solution& solution) {
     return "";
 }
 
+std::optional<MotionPoint> output_at(const Solution& solution, double x, Side side) {
+    if (!solution.output) return {};
+    const Motion& output = *solution.output;
+    if (x <= output.end()) return output.at(x, side);
+    return MotionPoint{x, {output.at(output.end(), Side::left).derivative[0], 0.0, 0.0, 0.0}};
+}
+
 std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks, double also) {
     const double begin = motion.begin(), end = motion.end();
     const double near = same_angle * (end - begin);
@@ -104,8 +111,9 @@ Delivered sample_delivered(const Solution& solution) {
     Delivered all;
     all.scale = motion_scale(solution.scene);
     if (!solution.motion) return all;
-    const auto add = [&all](const Motion& motion, const MotionRow& row, bool closing) {
+    const auto add = [&](const Motion& motion, const MotionRow& row, bool closing) {
         all.rows.push_back({row.x, row.side, motion.at(row.x, row.side), closing, {}, {}});
+        all.rows.back().output = output_at(solution, row.x, row.side);
     };
     for (const MotionRow& row :
          motion_rows(*solution.motion, solution.cam_peaks, solution.scene.motion.own_place(0.0)))

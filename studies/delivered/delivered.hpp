@@ -42,8 +42,14 @@ struct DeliveredRow {
     bool closing = false;             ///< of the dwell that closes the cam, after the motion itself
     std::vector<MechanismPoint> cam;  ///< by station; empty without a cam
     std::optional<FollowerLoads> loads;
-    std::optional<DrivePoint> drive = {};  ///< of a motor in place of a cam
+    std::optional<DrivePoint> drive = {};   ///< of a motor in place of a cam
+    std::optional<MotionPoint> output = {};  ///< where the output's motion is prescribed; `motion` is the cam's
+
+    [[nodiscard]] const MotionPoint& output_motion() const { return output ? *output : motion; }
 };
+
+/// The output's motion where it is prescribed; beyond its end it rests there.
+[[nodiscard]] std::optional<MotionPoint> output_at(const Solution& solution, double x, Side side);
 
 /// By motion_rows, then the dwell that closes the cam. Empty where the solution has no motion.
 struct Delivered {

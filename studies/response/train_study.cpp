@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/response/train_study.hpp"
 
+#include "dynamics/train_formulas.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/scene_family.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/least/least_value.hpp"
@@ -48,6 +50,21 @@ class TrainStudyRun {
                 study_.lift_off_speeds.push_back(lift_off(pieces));
             }
     }
+    /// The mass stays, the spring changes.
+    void add_detuned() {
+        if (!scene_.dynamics->formulas->vibrates()) return;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) study_.detuned.push_back({study_.motions[i].first, {}});
+        for (std::size_t k = 0; k < detuning.size(); ++k) {
+            const auto train = detuned_train(detuning[k])->at(scene_.motion.speed.value(),
+                                                              scene_.motion.unit_angle(), scene_.motion.lift);
+            for (std::size_t i = 0; i < pieces_.size(); ++i)
+                for (const MotionEvent& stroke : study_.strokes) {
+                    double& worst = study_.detuned[i].residual[k];
+                    const EventPieces pieces = pieces_of_event(pieces_[i], stroke);
+                    worst = std::max(worst, EventResponse(*train, pieces).residual());
+                }
+        }
+    }
     void add_steady(const Motion& turn) {
         const std::vector<SlopePiece> pieces = scene_.dynamics->formulas->pieces(turn);
         for (const double speed : study_.speeds) {
@@ -74,6 +91,17 @@ class TrainStudyRun {
     TrainStudy finished() { return std::move(study_); }
 
  private:
+    /// With its return spring the output vibrates at `factor` times its natural frequency.
+    [[nodiscard]] std::shared_ptr<const TrainFormulas> detuned_train(double factor) const {
+        if (factor == 1.0) return scene_.dynamics->formulas;
+        DynamicsSpec train = *scene_.dynamics;
+        const TrainStage output = train.output();
+        train.natural_frequency.reset();
+        train.damping_ratio.reset();
+        train.damping = output.damping;
+        train.stiffness = factor * factor * (output.stiffness + train.return_stiffness) - train.return_stiffness;
+        return train_formulas(train);
+    }
     void add_history(const std::string& key, const EventPieces& pieces) {
         const double speed = scene_.motion.speed.value();
         const auto train = train_at(scene_, speed);
@@ -172,6 +200,26 @@ void require_train(const Scene& scene) {
         throw SceneError({"dynamics", "a scene without a [dynamics] table", "a scene with one"});
 }
 
+/// The classical polydyne cam: the polynomial of least degree that rests to order 4 at both ends as the
+/// output's motion of every stroke. None: the output is not prescribed, or a stroke's ends are not its own.
+std::optional<MotionChain> polydyne_motion(const Solution& optimum) {
+    if (!optimum.output) return std::nullopt;
+    const LawMotion placed = law_in_place(optimum, "polynomial_56789");
+    if (!placed.motion) return std::nullopt;
+    const Eigen::VectorXd law{{0.0, 0.0, 0.0, 0.0, 0.0, 126.0, -420.0, 540.0, -315.0, 70.0}};
+    const DerivativeCombination of = cam_of_output(optimum.scene);
+    std::vector<ChainPart> parts = placed.motion->parts();
+    for (ChainPart& part : parts) {
+        DerivativeCombination own = of;  // of the part's own variable
+        own.weights[1] /= part.x_scale;
+        own.weights[2] /= part.x_scale * part.x_scale;
+        part.y0 *= of.weights[0];
+        if (part.shape)
+            part.shape = std::make_shared<SplineCurve>(SplineSpace(9, 8, {0.0, 1.0}), combined(law, own));
+    }
+    return MotionChain(std::move(parts));
+}
+
 }  // namespace
 
 SpeedSweep default_speeds(const Scene& scene) {
@@ -212,7 +260,10 @@ TrainStudy train_study_of(Solution optimum, std::optional<Solution> static_optim
         if (placed.motion)
             run.add(info.key, info.title, *placed.motion, info.key == scene.objective.reference.law);
     }
+    if (const std::optional<MotionChain> polydyne = polydyne_motion(optimum))
+        run.add("polydyne", "polydyne 5-6-7-8-9 polynomial", *polydyne, true);
     run.add_rows();
+    run.add_detuned();
     if (optimum.motion && is_damped(*scene.dynamics) &&
         (scene.motion.type != MotionType::program || scene.motion.closed)) {
         const MotionChain turn = optimum.whole_turn();

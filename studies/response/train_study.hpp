@@ -11,7 +11,7 @@ namespace camopt {
 
 /// One stroke of one motion at one speed, from rest.
 struct TrainRow {
-    std::string motion;              ///< "optimum", "static_optimum", or the key of a law
+    std::string motion;              ///< "optimum", "static_optimum", "polydyne", or the key of a law
     int stroke = 1;                  ///< from 1
     double speed = 0.0;              ///< rad/s
     double frequency_ratio = 0.0;    ///< time of the stroke over the natural period of the slowest mode
@@ -36,6 +36,14 @@ struct TrainHistory {
     std::vector<TrainInstant> instants;
 };
 
+/// What is left after a motion where the train is not as it was thought to be: the largest amplitude after a
+/// stroke at the scene's speed, in lifts, by factors on the natural frequency of the output.
+struct DetunedRow {
+    std::string motion;
+    std::array<double, 3> residual{};
+};
+inline constexpr std::array detuning = {0.9, 1.0, 1.1};
+
 /// Steady state of a closed turn: amplitudes once everything repeats.
 struct SteadyRow {
     double speed = 0.0;
@@ -53,6 +61,7 @@ struct TrainStudy {
     /// Stroke by stroke, motion by motion: the lowest speed up to the highest looked at, or twice that, where
     /// contact is lost; none: nowhere.
     std::vector<std::optional<double>> lift_off_speeds;
+    std::vector<DetunedRow> detuned;      ///< motion by motion; empty: the train does not vibrate
     std::vector<TrainHistory> histories;  ///< at the scene's speed: optimum, static optimum, reference law
     std::vector<SteadyRow> steady;        ///< of the optimum; empty: no closed turn, or no damping
     Solution optimum;

@@ -15,7 +15,7 @@
     curve.values.forEach(take);
     if (!(high >= low)) return [-1, 1];
     const own = Math.max(Math.abs(low), Math.abs(high));
-    for (const name of ['reference', 'measured'])
+    for (const name of ['reference', 'measured', 'cam'])
       if (shown[name] && curve[name]) curve[name].values.forEach((value) => { if (value !== null && Math.abs(value) < 3 * own) take(value); });
     curve.marks.forEach((mark) => take(mark.value));
     if (shown.measured && curve.points) curve.points.forEach((point) => take(point[1]));
@@ -219,7 +219,7 @@
     const unit = curve.unit ? ' (' + curve.unit + ')' : '';
     const columns = [{ title: angleTitle(angle) + ' (' + angle.unit + ')' }, { title: curve.title + unit }];
     if (curve.beside) columns.push({ title: curve.beside.unit });
-    const others = [curve.reference, curve.measured].filter((one) => one);
+    const others = [curve.cam, curve.reference, curve.measured].filter((one) => one);
     others.forEach((one) => columns.push({ title: one.title + unit }));
     angles.forEach((angle, row) => {
       if (row % step !== 0 && row !== angles.length - 1 && !near.has(row)) return;
@@ -254,7 +254,7 @@
     columns() {
       const shown = this.all.shown;
       const beside = (name) => shown[name] && this.curve[name] ? this.curve[name].values : this.all.nothing;
-      return [this.all.angle.values, this.curve.values, beside('reference'), beside('measured')];
+      return [this.all.angle.values, this.curve.values, beside('reference'), beside('measured'), beside('cam')];
     }
 
     show(curve) {
@@ -291,7 +291,8 @@
         ],
         series: [{}, { stroke: () => colour('curve'), width: 2, points: { show: false } },
           { stroke: () => colour('reference'), width: 1.4, dash: [6, 4].map(dots), points: { show: false } },
-          { stroke: () => colour('given'), width: 1.4, dash: [2, 3].map(dots), points: { show: false } }],
+          { stroke: () => colour('given'), width: 1.4, dash: [2, 3].map(dots), points: { show: false } },
+          { stroke: () => colour('cam'), width: 1.6, dash: [10, 3, 2, 3].map(dots), points: { show: false } }],
         hooks: {
           drawClear: [(u) => { if (all.shown.limits) drawLimits(u, self.curve); }],
           draw: [(u) => {
@@ -341,7 +342,7 @@
     const charts = new Map(), hidden = new Set(), motor = element('div', { 'data-picture': 'motor' });
     const self = {
       host, chips, angle, charts, data: null, nothing: [], syncKey: 'camopt-' + Math.random(),
-      shown: { reference: true, measured: true, limits: true, marks: true },
+      shown: { reference: true, measured: true, cam: true, limits: true, marks: true },
       printWidth: 0,
       width() { return self.printWidth || Math.max(host.clientWidth - frameWidth, 220); },
       redraw() { charts.forEach((chart) => { if (chart.plot) { chart.plot.setData(chart.columns()); } }); },
@@ -406,6 +407,7 @@
       }
       const reference = data.curves.find((curve) => curve.reference);
       const extras = [];
+      if (data.curves.some((curve) => curve.cam)) extras.push(['cam', 'the cam (dash-dotted)']);
       if (reference) extras.push(['reference', reference.reference.title + ' (dashed)']);
       if (data.curves.some((curve) => curve.measured)) extras.push(['measured', 'measured (dotted, rows as dots)']);
       if (data.curves.some((curve) => curve.limits.length)) extras.push(['limits', 'limits']);
