@@ -100,10 +100,6 @@ const char* name_of(PrescribedMotion value) {
     return value == PrescribedMotion::cam ? "cam" : "output";
 }
 
-const char* name_of(EndJerk value) {
-    return value == EndJerk::free ? "free" : "zero";
-}
-
 int segments_of(const SplineSpec& spline) {
     return spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
 }

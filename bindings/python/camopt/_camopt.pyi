@@ -218,7 +218,7 @@ class Relaxation:
 class Spline:
     """The motion as one spline over x. See Solution.bspline."""
     @property
-    def degree(self) -> int: """3 or 5."""
+    def degree(self) -> int: """3, 5 or 7."""
     @property
     def continuity(self) -> int: """The highest continuous derivative."""
     @property
