@@ -24,7 +24,7 @@ HERE = pathlib.Path(__file__).parent
 SECTIONS = [
     ("Start", ["try", "install", "README", "designs", "gallery/index"]),
     ("Scenes and results", ["scene_file", "reference/scene", "programs", "least_value", "results", "report", "compare", "sweep", "scale"]),
-    ("Cams", ["cams", "linear_cams", "tolerances", "drawing", "nc", "old_cam", "measured", "inspect"]),
+    ("Cams", ["cams", "linear_cams", "tolerances", "prescribed_output", "drawing", "nc", "old_cam", "measured", "inspect"]),
     ("Applications", ["valves", "servo", "plc", "machines", "theory/elastic_follower"]),
     ("Your own program", ["examples/README", "embedding", "embedding_c", "python", "api/index", "notebooks_cpp/README",
                           "notebooks/index"]),
