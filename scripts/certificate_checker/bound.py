@@ -113,6 +113,19 @@ class Bound:
                 lower(order, 2 * d * d * known[order - 1] / narrowest)
         return known
 
+    def cam_supremum(self, k):
+        """Bounds of |s|, |s'|, |s''|, |s'''| of the cam on a run (None: none)."""
+        weights, known, run = self.problem.to_cam, self.supremum[k], self.problem.runs[k]
+        if not weights:
+            return known
+        narrowest, higher = min(run.space.width(i) for i in range(run.space.segments)), list(known)
+        while len(higher) < 6:  # Markov
+            d = max(0, run.space.degree - len(higher) + 1)
+            higher.append(None if higher[-1] is None else 2 * d * d * higher[-1] / narrowest)
+        parts = [[abs(w) * higher[order + r] for r, w in enumerate(weights) if w] if
+                 all(higher[order + r] is not None for r, w in enumerate(weights) if w) else None for order in range(4)]
+        return [None if part is None else sum(part) for part in parts]
+
     def bounded_by_sides(self, run, length, ends):
         """(order, what |y^(order)| can be): limits of one side that come in pairs bound a derivative; one of them the derivative
         below it, which cannot come back from further than what is left of the run allows."""
@@ -120,7 +133,7 @@ class Bound:
             sizes = []
             for sign in (-1, 1):
                 own = [[b.most + b.scale * self.relaxed for b in self.problem.bounds
-                        if (b.order, b.sign) == (order, sign) and b.stretch in (None, stretch) and b.begin <= stretch.begin and
+                        if (b.order, b.sign) == (order, sign) and not b.of_cam and b.stretch in (None, stretch) and b.begin <= stretch.begin and
                         b.end >= stretch.end] for stretch in run.stretches]
                 sizes += [max(min(found) for found in own)] if all(own) else []
             if len(sizes) == 2:
@@ -246,7 +259,8 @@ class Bound:
         if not bound.begin - SAME_PLACE <= at <= bound.end + SAME_PLACE:
             raise Refuted(f"{name}: the rule does not hold there")
         at = self.problem.folded(min(max(at, bound.begin), bound.end), side)
-        function = {j: w * bound.sign / bound.scale for j, w in run.space.functional(at, bound.order, side).items()}
+        space = run.cam_space if bound.of_cam else run.space
+        function = {j: w * bound.sign / bound.scale for j, w in space.functional(at, bound.order, side).items()}
         most = bound.most if bound.order else bound.most + bound.sign * run.level(stretch)
         return Row(name, k, function, most / bound.scale + self.relaxed), Fraction(1)
 

@@ -206,7 +206,7 @@ class BoxProof:
             if run is None:
                 self.known[key] = self.at_rest(at, order)
             else:
-                weights, fixed = self.in_variables(k, run.space.functional(at, order, side))
+                weights, fixed = self.in_variables(k, run.cam_space.functional(at, order, side))
                 self.known[key] = (weights, fixed, k, stretch)
         return self.known[key]
 
@@ -216,7 +216,8 @@ class BoxProof:
             raise Refuted(f"a step speaks of x = {float(at)}, outside the motion")
         if stretch.kind != "dwell":
             raise Unverified("a bound over boxes along a law")
-        return {}, stretch.start if order == 0 else Fraction(0), None, stretch
+        level = stretch.start * (self.problem.to_cam[0] if self.problem.to_cam else 1)
+        return {}, level if order == 0 else Fraction(0), None, stretch
 
     # -- steps
 

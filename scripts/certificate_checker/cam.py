@@ -207,7 +207,7 @@ class Cam:
         if not self.judged or bound.relaxed:
             return None
         if rule in ("cam.face_half_width", "cam.face_radius") and origin.get("order") == 1 and sign and self.width:
-            function = {j: sign * w for j, w in run.space.functional(at, 1, side).items()}
+            function = {j: sign * w for j, w in run.cam_space.functional(at, 1, side).items()}
             return Row(name, k, function, self.width[1] * self.beta[1] / self.lift), \
                 self.lift / self.width[1] / number(float(self.beta[0]))
         if not self.direct and self.searched:
@@ -215,7 +215,7 @@ class Cam:
         formulas = self.formulas_at(origin, at)
         if bound.curve is not None and len(formulas) > 1:
             # Which of several rules of one name is not said: the one that the motion comes nearest to.
-            values = [bound.curve.value_at(k, at, side, order) for order in range(3)]
+            values = [bound.curve.value_at(k, at, side, order, bound.curve.cam_pieces()) for order in range(3)]
             place = [enclosures.interval(v)[0] for v in values] + [0] + self.found_parts()
             formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
         for formula in formulas[:1] if bound.curve is not None or len(formulas) == 1 else []:
@@ -247,11 +247,11 @@ class Cam:
             if i > 3:
                 dimension = list(self.searched)[i - 4]
                 searched[dimension] = middle / largest_of(self.searched[dimension])
-            elif bound.supremum[k][i] is None:
+            elif bound.cam_supremum(k)[i] is None:
                 return None
             else:
-                add_to(function, run.space.functional(at, i, side), middle)
-            most += half * (bound.supremum[k][i] if i < 4 else 1)
+                add_to(function, run.cam_space.functional(at, i, side), middle)
+            most += half * (bound.cam_supremum(k)[i] if i < 4 else 1)
         return Row(name, k, function, most, None, searched)
 
     def tangent_size(self, name):
@@ -288,7 +288,7 @@ class Cam:
             kept.append("limits." + key)
         if self.width:
             most = self.width[0] * (1 + KEPT) * self.beta[0] / self.lift
-            if largest_magnitude(curve.along(1))[1] > most or \
+            if largest_magnitude([(derivative(p), w) for run in curve.cam_pieces() for p, w, _, _ in run])[1] > most or \
                     not all(keeps(law, 1, sign, most, law.begin, law.end) for law in laws for sign in (1, -1)):
                 raise Refuted(f"the contact leaves the face, {float(self.width[0])} m from the axis")
             kept.append("the width of the face")
@@ -338,7 +338,7 @@ class Cam:
     def keep_formulas(self, curve, key, formulas, more=()):
         """Formulas of one cam angle along the splines. `more`: ranges of further numbers of a formula."""
         loaded = key in LOADED and self.forces and not self.forces.is_constant()
-        for copy, (run, own) in itertools.product(range(self.problem.copies if loaded else 1), zip(self.problem.runs, curve.pieces)):
+        for copy, (run, own) in itertools.product(range(self.problem.copies if loaded else 1), zip(self.problem.runs, curve.cam_pieces())):
             for p, width, left, stretch in own:
                 orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
                 place = left - run.begin_of(stretch) + stretch.begin + copy * self.problem.stretches[-1].end
@@ -380,7 +380,7 @@ class Cam:
         levels = {level for s in self.problem.stretches for level in (s.start, s.to)}
         for level in levels | ({Fraction(1)} if self.problem.type == "RR" else set()):
             for sign in (1, -1):
-                rest = [enclosures.interval(level)[0], 0, 0]
+                rest = [enclosures.interval(level * (self.problem.to_cam[0] if self.problem.to_cam else 1))[0], 0, 0]
                 if any(enclosures.at_place(f, rest).value[1] > 0 for f in self.as_found.pressures(least, sign)):
                     raise Refuted("the pressure angle at rest passes its limit")
 
@@ -391,14 +391,14 @@ class Cam:
         if origin.get("remark") == "face turns back" and self.follower == "oscillating_flat":
             unit = max(self.rules.lift) / min(self.rules.beta), min(self.rules.lift) / max(self.rules.beta)
             middle, half = middle_of((unit[1], unit[0]))
-            function = {j: -self.sense * middle * w for j, w in run.space.functional(at, 1, side).items()}
-            return Row(name, k, function, FACE_TURNS + half * bound.supremum[k][1]), Fraction(1)
+            function = {j: -self.sense * middle * w for j, w in run.cam_space.functional(at, 1, side).items()}
+            return Row(name, k, function, FACE_TURNS + half * bound.cam_supremum(k)[1]), Fraction(1)
         if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or self.problem.free or \
                 self.kind in ("remote", "inverse"):
             return None
-        values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
+        values = [bound.curve.value_at(k, at, side, order, bound.curve.cam_pieces()) for order in range(2)]
         place = [enclosures.interval(v)[0] for v in values] + self.found_parts()
-        ranges = [self.displacements(bound, k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
+        ranges = [self.displacements(bound, k, at), (-bound.cam_supremum(k)[1], bound.cam_supremum(k)[1])]
         ranges += [parts_of(ends) for ends in self.searched.values()]
         for formula in formulas[:1]:
             def pressure(numbers, formula=formula):
@@ -433,7 +433,7 @@ class Cam:
             return None
         function = {}
         for order, slope in enumerate(slopes[:2]):
-            add_to(function, run.space.functional(at, order, side), slope)
+            add_to(function, run.cam_space.functional(at, order, side), slope)
         searched = {name: slope / largest_of(ends) for slope, (name, ends) in zip(slopes[2:], self.searched.items())}
         return Row(name, k, function, -enclosures.fraction(lowest), None, searched)
 
@@ -443,7 +443,12 @@ class Cam:
 
     def displacements(self, bound, k, at):
         """What y can be at a place."""
-        return self.kept_within(*bound.displacements_at(k, at))
+        low, high = bound.displacements_at(k, at)
+        if self.problem.to_cam:
+            by_y, _, by_bend = self.problem.to_cam
+            beside = by_bend * bound.supremum[k][2]
+            low, high = by_y * low - beside, by_y * high + beside
+        return self.kept_within(low, high)
 
     def kept_within(self, low, high):
         """What the limits leave of a range of y."""

@@ -62,7 +62,7 @@ class Harmonics:
             if s.kind != "spline":
                 if s.kind == "law" and polynomial_of(s.law) is None:
                     raise Unverified(f"harmonics of the law {s.law}")
-                known = known + self.along(self.polynomial(s), s.begin, s.end, powers,
+                known = known + self.along(self.polynomial(s, problem.to_cam), s.begin, s.end, powers,
                                            [self.turned(order, x) for x in (s.begin, s.end)])
         rows = []
         for run in problem.runs:
@@ -70,7 +70,7 @@ class Harmonics:
             for i in range(run.space.segments):
                 left, width = run.space.breakpoints[i], run.space.width(i)
                 turns = [self.turned(order, x) for x in (left, left + width)]
-                for j, basis in enumerate(run.space.basis(i), run.space.first(i)):
+                for j, basis in enumerate(run.cam_space.basis(i), run.space.first(i)):
                     part = self.along(basis, left, left + width, powers, turns)
                     own[j] = own[j] + part if j in own else part
             rows.append({j: whole * factor for j, whole in own.items()})
@@ -86,10 +86,10 @@ class Harmonics:
         return fraction((low + high) // 2), fraction(high - low + 1)
 
     @staticmethod
-    def polynomial(stretch):
-        """y by x from the stretch's beginning."""
+    def polynomial(stretch, to_cam):
+        """y by x from the stretch's beginning; the cam's where that of the output is prescribed."""
         if stretch.kind == "dwell":
-            return [stretch.start]
+            return [stretch.start * (to_cam[0] if to_cam else 1)]
         rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
         own = [rise * c / length**m for m, c in enumerate(polynomial_of(stretch.law))]
         return [own[0] + stretch.start] + own[1:]

@@ -7,7 +7,7 @@ KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "for
 KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break", "peaks",
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset", "motor_torque",
                "motor_torque_rms", "deviation", "deviation_rms"}
-KNOWN_LIMITS = ("velocity", "acceleration", "jerk", "pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",
+KNOWN_LIMITS = ("velocity", "acceleration", "jerk", "cam_velocity", "cam_acceleration", "cam_jerk", "pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",
                 "concave_radius_min", "undercut_margin", "contact_force_min", "contact_moment_min", "contact_force_max",
                 "contact_moment_max", "torque_max", "hertz_pressure_max",
                 "residual", "spring_harmonic", "dynamic_contact_force_min", "motor_torque", "motor_torque_rms", "motor_speed", "motor_curve")
@@ -43,11 +43,14 @@ def name_unknown_keys_of(tables, path):
         name_unknown_keys(table, path)
 
 
+OF_CAM_MOTION = tuple(f"cam_{name}" for name in ORDERS)  # only where the motion of the output is prescribed
+
+
 def name_unknown_limits(scene):
     for limit in sorted(scene.get("limits", {})):
         if not limit.startswith(KNOWN_LIMITS):
             raise Unverified(f"limits.{limit}")
-        needed = "drive" if limit.startswith("motor_") else "dynamics" if limit.startswith(("residual", "dynamic_")) else \
+        needed = "drive" if limit.startswith("motor_") else "dynamics" if limit.startswith(("residual", "dynamic_", *OF_CAM_MOTION)) else \
             None if limit.startswith(tuple(ORDERS)) else "cam"
         if needed and needed not in scene:
             raise Unverified(f"limits.{limit} without [{needed}]")

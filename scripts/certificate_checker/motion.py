@@ -9,7 +9,7 @@ from .motion_bounds import keep_bounds, keeps, lost_area
 from .laws import is_same
 from .prescribed import peak_of
 from .rational import Fraction
-from .spaces import Space
+from .spaces import Space, cam_of, output_of
 from .strokes import stroke_of
 
 
@@ -50,8 +50,11 @@ class Curve:
             points += own
             for piece in curve["pieces"]:
                 piece = [number(a) for a in piece]
+                if self.problem.to_cam:
+                    piece = output_of(piece, self.problem.to_cam)
                 delivered.append([piece[0] + (run.raised if further else 0)] + piece[1:])
-        if any((curve["degree"], curve["continuity"]) != (space.degree, space.continuity) for curve, _ in curves) or \
+        continuity = space.continuity - (2 if self.problem.to_cam else 0)
+        if any((curve["degree"], curve["continuity"]) != (space.degree, continuity) for curve, _ in curves) or \
                 len(points) != len(space.breakpoints) or len(delivered) != space.segments or \
                 any(abs(a - b) > SAME_PLACE for a, b in zip(points, space.breakpoints)) or \
                 any(len(piece) != space.degree + 1 for piece in delivered):
@@ -125,15 +128,21 @@ class Curve:
             else:
                 law = stretch.law if stretch.kind == "law" else None
                 rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
-                if not is_same(part["law"], law) or abs(number(part["y0"]) - stretch.start) > STATED or \
+                rest = stretch.start * (self.problem.to_cam[0] if self.problem.to_cam else 1)
+                if not is_same(part["law"], law) or abs(number(part["y0"]) - rest) > STATED or \
                         (law and (abs(number(part["y_scale"]) - rise) > STATED or abs(number(part["x_scale"]) - length) > STATED or
                                   abs(number(part["x0"]) - stretch.begin - by) > STATED)):
                     raise Refuted("the motion's dwells or laws are not those of the scene")
 
-    def value_at(self, k, x, side, order):
-        """The derivative of this order of spline k at a place."""
+    def cam_pieces(self):
+        """What the cam does, as `pieces`."""
+        weights = self.problem.to_cam
+        return [[(cam_of(p, weights), w, x, s) for p, w, x, s in run] for run in self.pieces] if weights else self.pieces
+
+    def value_at(self, k, x, side, order, pieces=None):
+        """The derivative of this order of spline k at a place. `pieces`: other ones, as cam_pieces."""
         i, x = self.problem.runs[k].space.segment_of(x, side)
-        piece, _, left, _ = self.pieces[k][i]
+        piece, _, left, _ = (pieces or self.pieces)[k][i]
         if self.problem.runs[k].raised and not order:
             raise Unverified("a cam that goes on in the next turn from where it is")
         return value_at(derivative(piece, order), x - left)

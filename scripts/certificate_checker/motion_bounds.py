@@ -15,6 +15,8 @@ class MotionBound:
     """sign * y^(order) <= most from `begin` to `end`; of a stretch alone where one is given. Exceeding it by `scale` is a
     violation of 100 %."""
 
+    of_cam = False  # of the motion of the cam, where that of the output is prescribed
+
     def __init__(self, key, order, sign, most, begin, end, stretch=None):
         self.key, self.order, self.sign, self.most, self.begin, self.end = key, order, sign, sign * most, begin, end
         self.stretch = stretch
@@ -29,17 +31,22 @@ def motion_bounds(problem):
     whole = Fraction(0), problem.stretches[-1].end * problem.copies
     kind = "spline" if problem.runs else "law"
     all_bounds = []
-    for name, order in ORDERS.items():
+    for name, order in [*ORDERS.items(), *((f"cam_{name}", order) for name, order in ORDERS.items())]:
         key, unit = problem.derivative_of(problem.limits, name)
-        if key is None or not isinstance(problem.limits[key], dict):
+        of_cam = name.startswith("cam_")
+        if key is None or not (of_cam or isinstance(problem.limits[key], dict)):
             continue
+        limit = problem.limits[key]
         own = [None]
         if problem.type == "program" and key == name:
             own = [s for s in problem.stretches if s.kind == kind]
-        for side, value in problem.limits[key].items():
+        sides = limit.items() if isinstance(limit, dict) else (("min", -number(limit)), ("max", limit))
+        for side, value in sides:
             for stretch in own:
                 most = number(value) * (stretch.scale(order) if stretch else unit)
-                all_bounds.append(MotionBound(f"limits.{key}.{side}", order, SIDES[side], most, *whole, stretch))
+                named = f"limits.{key}.{side}" if isinstance(limit, dict) else f"limits.{key}"
+                all_bounds.append(MotionBound(named, order, SIDES[side], most, *whole, stretch))
+                all_bounds[-1].of_cam = of_cam
     for i, corridor in enumerate(problem.motion.get("corridor", [])):
         begin = problem.place(corridor, "from", Fraction(0), Fraction(1)) or Fraction(0)
         end = problem.place(corridor, "to", Fraction(0), Fraction(1)) or whole[1]
@@ -73,7 +80,7 @@ def keep_bounds(problem, curve, relaxed):
 def along_splines(curve, bound, by):
     """sign * y^(order) - most where the bound holds, on a copy of the turn's part."""
     pieces = [([-abs(bound.most) - 1 + bound.most], Fraction(1))]  # one that is kept
-    for run, own in zip(curve.problem.runs, curve.pieces):
+    for run, own in zip(curve.problem.runs, curve.cam_pieces() if bound.of_cam else curve.pieces):
         for p, width, left, stretch in own:
             x = left - run.begin_of(stretch) + stretch.begin + by
             begin, end = max(bound.begin, x), min(bound.end, x + width)

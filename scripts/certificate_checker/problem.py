@@ -3,13 +3,13 @@
 import itertools
 
 from .conditions import AT_LIMIT, REST
-from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
+from .exact import ORDERS, PI_ITSELF, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
 from .laws import REVERSED, ends_of_law, is_same, polynomial_between, turns_back
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
 from .rational import Fraction
 from .runs import Peak, Run, Stretch
-from .spaces import Space
+from .spaces import CamSpace, Space
 from .strokes import points_at_limits, turning_points
 from .tolerance import Tolerances
 from .units import LENGTHS, angle_of, in_unit, ratio
@@ -45,6 +45,9 @@ class Problem:
             self.build_program()
         else:
             self.build_stroke()
+        self.to_cam = None  # s = w_0 y + w_1 y' + w_2 y'' is the cam's motion, where that of the output is prescribed
+        if self.prescribes_output():
+            self.prescribe_output(scene["dynamics"])
         self.motion_caps = []  # (order, cap, key): caps in time on a program's motion itself
         self.bounds = motion_bounds(self)
         self.references = references
@@ -54,6 +57,25 @@ class Problem:
         self.train = None  # an elastic follower
         self.harmonics = None  # of the lift, where they are limited
         self.drive = None  # a motor in place of a cam
+
+    def prescribes_output(self):
+        return self.scene.get("dynamics", {}).get("prescribe", "cam") == "output"
+
+    def prescribe_output(self, given):
+        """The cam gives what a mass on its spring and return spring needs: s = (1 + k_r / k) y + m / (k T^2) y'', T the seconds of a
+        unit of x."""
+        mass, back = number(given["mass_kg"]), number(given.get("return_spring_n_m", 0))
+        if "natural_frequency_hz" in given:
+            stiffness = mass * (2 * PI_ITSELF * number(given["natural_frequency_hz"]))**2 - back
+        elif "natural_frequency_rad_s" in given:
+            stiffness = mass * number(given["natural_frequency_rad_s"])**2 - back
+        else:
+            stiffness = number(given["stiffness_n_m"])
+        if given.get("stage") or any(key.startswith("ground_damping") for key in given):
+            raise Unverified("an output prescribed with stages or with a damper to ground")
+        self.to_cam = (1 + back / stiffness, Fraction(0), mass / stiffness * self.turns_per_second()**2)
+        for run in self.runs:
+            run.cam_space = CamSpace(run.space, self.to_cam)
 
     def least_cost(self):
         """What dimensions cost at least: the peaks share the rest."""
@@ -110,7 +132,7 @@ class Problem:
     def derivative_of(self, table, name):
         """(how a velocity, acceleration or jerk is written in a table, y^(r) for one in that unit): normalised, by time or by the
         cam angle."""
-        order = ORDERS[name]
+        order = ORDERS[name.removeprefix("cam_")]
         if name in table:
             return name, Fraction(1)
         power = "" if order == 1 else str(order)
@@ -190,6 +212,8 @@ class Problem:
     def rest(self, run, at_start, at_end):
         """Where the run meets rest its derivatives are 0 up to spline.rest; y' and y'' are demanded with the state."""
         most = self.spline.get("rest", 3 if self.spline.get("end_jerk", "free") == "zero" else 2)
+        if self.prescribes_output():
+            most = max(most, 4)
         for order in range(3, most + 1):
             if at_start:
                 run.demand(run.space.breakpoints[0], order, "right", Fraction(0), "spline.rest")

@@ -33,6 +33,7 @@ class Run:
     def __init__(self, space, stretches, passed=(), raised=Fraction(0), curves=()):
         self.space, self.stretches, self.passed, self.raised, self.conditions = space, stretches, passed, raised, []
         self.curves = curves
+        self.cam_space = space  # another one where the output is prescribed (prescribe_output)
         # y' and y'' at both ends; None: where one turn goes on in the next.
         self.states = [(Fraction(0), Fraction(0)), (Fraction(0), Fraction(0))]
 

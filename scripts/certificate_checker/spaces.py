@@ -135,6 +135,36 @@ class Space:
         return largest_sum
 
 
+class CamSpace(Space):
+    """What the cam of a prescribed output does, by the control points of the output: its basis functions are
+    w_0 B + w_1 B' + w_2 B''."""
+
+    def __init__(self, space, weights):
+        super().__init__(space.degree, space.continuity, space.breakpoints, space.period)
+        self.weights = weights
+
+    def basis(self, segment):
+        if segment not in self.known:
+            self.known[segment] = [cam_of(function, self.weights) for function in Space.basis(self, segment)]
+        return self.known[segment]
+
+
+def cam_of(polynomial, weights):
+    """w_0 y + w_1 y' + w_2 y''."""
+    return combination(*((w, derivative(polynomial, order)) for order, w in enumerate(weights) if w))
+
+
+def output_of(polynomial, weights):
+    """The y of which this is the combination, from the highest power down."""
+    found = list(polynomial)
+    for m in range(len(found) - 1, -1, -1):
+        for order in (1, 2):
+            if m + order < len(found):
+                found[m] -= weights[order] * found[m + order] * math.perm(m + order, order)
+        found[m] /= weights[0]
+    return found
+
+
 def blossom(polynomial, places):
     """The symmetric multi-affine form: coefficient m times the mean product of m of the places."""
     sums = [Fraction(1)] + [Fraction(0)] * len(places)

@@ -33,9 +33,10 @@ from .runs import Peak
 from .units import in_unit
 
 SAME_PEAK = Fraction(1, 10**11)  # a largest amplitude is enclosed to this part of it
+HIGHEST = 8                      # derivatives below this one may jump: the degree is 7 at most
 PLACES = 64                      # speeds at which the largest one is looked for
 KNOWN = ("mass_kg", "natural_frequency_hz", "natural_frequency_rad_s", "stiffness", "damping_ratio", "damping_n_s_m",
-         "return_spring", "preload_n", "speed_range_rpm")
+         "return_spring", "preload_n", "speed_range_rpm", "prescribe")
 
 
 class Train:
@@ -105,17 +106,17 @@ class Train:
         """[(width up to the breakpoint, [(r, jump of y^(r))])], from pieces (polynomial of y, width)."""
         found, before, width = [], [], Fraction(0)
         for polynomial, own in [*pieces, ([Fraction(0)], Fraction(0))]:
-            after = [derivative(polynomial, r)[0] for r in range(2, 6)]
-            jumps = [b - a for a, b in zip(before or [Fraction(0)] * 4, after)]
+            after = [derivative(polynomial, r)[0] for r in range(2, HIGHEST)]
+            jumps = [b - a for a, b in zip(before or [Fraction(0)] * (HIGHEST - 2), after)]
             found.append((width, [(r + 2, constant(jump)) for r, jump in enumerate(jumps) if jump]))
-            before = [value_at(derivative(polynomial, r), own) for r in range(2, 6)]
+            before = [value_at(derivative(polynomial, r), own) for r in range(2, HIGHEST)]
             width = own
         return found
 
     def rung(self, jumps, time):
         """The first sum of J at every breakpoint."""
         exponent = self.exponent(time)[0]
-        powers, gone, totals = self.powers(exponent, 4), {}, []
+        powers, gone, totals = self.powers(exponent, HIGHEST - 2), {}, []
         total = Complex(constant(0), constant(0))
         for width, own in jumps:
             if width and width not in gone:
@@ -159,13 +160,13 @@ class Train:
 
     def residual(self, curve):
         """(low, high) around the largest amplitude after the motion, over the speeds of the range."""
-        own = [self.residual_after(curve, k) for k in range(len(curve.pieces))]
+        own = [self.residual_after(curve, k) for k in range(len(curve.cam_pieces()))]
         return max(low for low, _ in own), max(high for _, high in own)
 
     def residual_after(self, curve, k):
         """The same after one run."""
         if k not in self.memory:
-            jumps = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[k]])
+            jumps = self.jumps_of([(p, w) for p, w, _, _ in curve.cam_pieces()[k]])
             self.memory[k] = self.largest(lambda z: self.amplitude_square(self.rung(jumps, z[0])[-1], z[0]))
         return self.memory[k]
 
@@ -195,11 +196,11 @@ class Train:
         """(real, imaginary) part of E / v as rows {control point: (number, its error)}, at one speed."""
         time = constant(time)
         exponent, _, v = self.exponent(time)
-        powers, rows, gone = self.powers(exponent, 4), {}, Complex(constant(1), constant(0))
+        powers, rows, gone = self.powers(exponent, HIGHEST - 2), {}, Complex(constant(1), constant(0))
         for i in range(run.space.segments - 1, -1, -1):
             width, after = run.space.width(i), gone
             gone = gone * exponent.scaled(constant(width)).exponential()
-            for j, function in enumerate(run.space.basis(i)):
+            for j, function in enumerate(run.cam_space.basis(i)):
                 place = run.space.first(i) + j
                 for r, power in enumerate(powers):
                     bent = derivative(function, r + 2)
@@ -220,7 +221,7 @@ class Train:
         wanted = constant(least * (1 - KEPT) / self.lift) * self.stiffness.inverse()
         rest, two = constant(1) - self.share, constant(2)
         ends = [enclosures.interval(self.times[0])[0], enclosures.interval(self.times[1])[1]]
-        jumps, known = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[k]]), {}
+        jumps, known = self.jumps_of([(p, w) for p, w, _, _ in curve.cam_pieces()[k]]), {}
 
         def begun(i, time):
             key = time.value, bool(time.slopes)
@@ -228,14 +229,14 @@ class Train:
                 known[key] = self.rung(jumps, time)
             return known[key][i]
 
-        for i, (p, width, _, _) in enumerate(curve.pieces[k]):
-            orders = [[constant(c) for c in derivative(p, order)] for order in range(6)]
+        for i, (p, width, _, _) in enumerate(curve.cam_pieces()[k]):
+            orders = [[constant(c) for c in derivative(p, order)] for order in range(HIGHEST)]
 
             def room(z, i=i, orders=orders):
                 t, time = z
                 exponent, w, v = self.exponent(time)
                 states = [at_time(c, t) for c in orders]
-                powers = self.powers(exponent, 4)
+                powers = self.powers(exponent, HIGHEST - 2)
                 driven = begun(i, time) * exponent.scaled(t).exponential()
                 for power, state in zip(powers, states[2:]):
                     driven = driven - power.scaled(state)
@@ -250,7 +251,8 @@ class Train:
         # At rest, and while it rings: |e| <= amplitude, |e'| <= w amplitude.
         still = self.share * self.preload - wanted
         amplitude = Over.number(Fraction(0), self.residual_after(curve, k)[1])
-        begin, end = (self.share * rest * constant(level) for level in self.problem.runs[k].ends())
+        begin, end = (self.share * rest * constant(level * (self.problem.to_cam[0] if self.problem.to_cam else 1))
+                      for level in self.problem.runs[k].ends())
         ringing = still + end - amplitude * (self.share + two * self.damping)
         if (still + begin).value[0] < 0 or ringing.value[0] < 0:
             raise Refuted("limits.dynamic_contact_force_min_n is passed in a dwell")
@@ -260,7 +262,7 @@ class Train:
         kept, missing = [], []
         for key, value in self.problem.limits.items():
             if key == "dynamic_contact_force_min_n":
-                for k in range(len(curve.pieces)):
+                for k in range(len(curve.cam_pieces())):
                     self.keep_force(curve, number(value), k)
                 kept.append("limits." + key)
             elif key.startswith("dynamic_"):
