@@ -67,9 +67,9 @@ py::object bspline(const SolvedScene& solved) {
                          py::cast(spline.coefficients()), spline.degree(), false);
 }
 
-py::object motion(const SolvedScene& solved) {
-    if (!of(solved).motion) return py::none();
-    return py::cast(MotionValue{of(solved).motion});
+py::object value_of(const std::shared_ptr<const MotionChain>& motion) {
+    if (!motion) return py::none();
+    return py::cast(MotionValue{motion});
 }
 
 py::dict table(const SolvedScene& solved) {
@@ -253,7 +253,12 @@ void add_verdict(py::class_<SolvedScene>& type) {
 }
 
 void add_motion_of(py::class_<SolvedScene>& type) {
-    type.def_property_readonly("motion", &motion, "The Motion found, callable; None where nothing was found.")
+    type.def_property_readonly(
+            "motion", [](const SolvedScene& s) { return value_of(of(s).motion); },
+            "The Motion found, callable; None where nothing was found. Where the output is prescribed, the cam's.")
+        .def_property_readonly(
+            "output", [](const SolvedScene& s) { return value_of(of(s).output); },
+            "The Motion of the output where dynamics.prescribe = \"output\"; None: it is `motion`.")
         .def_property_readonly(
             "peaks",
             [](const SolvedScene& s) -> std::optional<Peaks> {
