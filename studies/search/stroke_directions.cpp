@@ -89,7 +89,7 @@ class DirectionSearch {
         part.solution = solve_motion({posed, plan_of(posed), control_, none});
         take_bound(part, part.solution.certificate);
         if (!part.solution.motion) return part;
-        const std::vector<double> excursions = excursions_of(scene_, family_, *part.solution.motion);
+        const std::vector<double> excursions = excursions_of(scene_, family_, part.solution.output_motion());
         double worst = scene_.solver.tolerance;
         for (std::size_t k = 0; k < free_.size(); ++k) {
             if (directions[k] != StrokeDirection::open || excursions[free_[k]] <= worst) continue;

@@ -45,7 +45,7 @@ OUTPUTS = {
     "comparison": ("compare", ["SCENE"], ["comparison.csv", "comparison.html", "comparison.json", "comparison.svg",
                                              "report.md", "tables.csv"]),
     "dynamics": ("dynamics", ["SCENE", "--speeds", "100:200:3"], [
-        "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
+        "dynamics.csv", "dynamics.json", "detuned.csv", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
         "acceleration.svg", "force.svg", "dynamics.html", "report.md", "steady.csv", "tables.csv"]),
     "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["report.md", "sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
     "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg", "report.md",
@@ -65,6 +65,8 @@ KINDS = {
     "measured": (["compare"], "scenes/drd_measured.toml", []),
     "started from a measured motion": (["start"], "scenes/drd_measured.toml", ["measured.use=start"]),
     "elastic train": ([], "scenes/dynamics_fast_slide.toml", []),
+    "cam for an output on an elastic train": ([], "scenes/splinedyne_slide.toml", []),
+    "program of an output on an elastic train": ([], "tests/pairs/splinedyne.toml", []),
     "motor": ([], "scenes/servo_drd.toml", []),
     "motor with its curve": ([], "tests/cases/servo_curve.toml", ["spline.segments=10"]),
     "degree 7": ([], "scenes/servo_index_table.toml", []),
@@ -104,7 +106,7 @@ KINDS = {
 }
 
 CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "advancing", "swing", "measured",
-           "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve", "degree 7"]
+           "started from a measured motion", "elastic train", "laws on an elastic train", "program of an output on an elastic train", "motor", "motor with its curve", "degree 7"]
 SPATIAL = ["barrel", "cylinder", "drum", "indexing", "given drum"]
 REMOTE = ["remote", "inverse", "given guide"]
 PLATES = ["plate", "edge on a plate", "arm over a plate", "given plate"]
@@ -137,6 +139,8 @@ REFUSED = [
     (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],
      ["valve", "valve in inches", "laws on an elastic train", "given plate", "given guide"]),
     ("the acceleration jumps at", ["codesys", "twincat"], ["given plate", "given guide"]),
+    ("camopt dynamics compares what laws leave", ["comparison"],
+     ["cam for an output on an elastic train", "program of an output on an elastic train"]),
     (r"found a given cam without \[objective\]", ["comparison"], ["given disk in inches"]),
 ]
 
