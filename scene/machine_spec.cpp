@@ -78,6 +78,9 @@ Fault axis_fault(const MachineSpec& machine, std::size_t index) {
                           "an angle above -360 deg and below 360 deg: within the cycle"};
     if (Fault fault = motion_fault(axis.scene))
         return SceneFault{member + ".scene." + fault->member, fault->found, fault->allowed};
+    if (axis.scene.prescribes_output() && machine.most_speed > machine.least_speed)
+        return SceneFault{member + ".scene.dynamics.prescribe", "\"output\" where machine.speed is a range",
+                          "a given machine.speed: at every speed it is another cam"};
     if (const std::optional<SoughtKey>& sought = axis.scene.objective.sought)
         return SceneFault{
             fmt::format("{}.scene.{}", member, sought->member()), fmt::format("\"{}\"", sought->key),
