@@ -269,7 +269,7 @@ class Cam:
         laws = [s for s in self.problem.stretches if s.kind == "law"]
         rests = [s for s in self.problem.stretches if s.kind == "dwell"]
         for key in self.problem.limits:
-            if key.split("_")[0] in ORDERS or key == "spring_harmonics":
+            if key.removeprefix("cam_").split("_")[0] in ORDERS or key == "spring_harmonics":
                 continue
             if key.startswith("spring_harmonic_"):
                 self.problem.harmonics.keep(curve)
