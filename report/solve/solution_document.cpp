@@ -140,6 +140,10 @@ Sentences reference_sentences(const Solution& solution, PageReference wish) {
         sentences.push_back(fmt::format("The {} law has no finite objective here.", name));
     if (const std::string changes = peak_changes(solution, law); !changes.empty())
         sentences.push_back(fmt::format("Its peaks compared with this motion: {}.", changes));
+    if (solution.output) {  // the limits of a cam that it does not have
+        sentences.emplace_back("No cam makes the output move so: where a law's jerk jumps, the cam would need an impulse.");
+        return sentences;
+    }
     const Sentences broken = broken_limits(law);
     if (!broken.empty()) sentences.push_back(fmt::format("It would violate: {}.", fmt::join(broken, "; ")));
     return sentences;

@@ -70,7 +70,7 @@ KINDS = {
     "motor": ([], "scenes/servo_drd.toml", []),
     "motor with its curve": ([], "tests/cases/servo_curve.toml", ["spline.segments=10"]),
     "degree 7": ([], "scenes/servo_index_table.toml", []),
-    "roller at degree 7": ([], "scenes/cam_roller.toml", ["spline.degree=7", "spline.rest=4"]),
+    "roller at degree 7": ([], "scenes/cam_roller.toml", ["spline.degree=7", "spline.rest=4", "spline.segments=24"]),
     "laws and splines": (["law"], "scenes/cam_laws_and_splines.toml", []),
     "laws on an elastic train": ([], "tests/cases/43e_two_strokes.toml", []),
     "laws that join": ([], "tests/cases/44_eccentric.toml", []),

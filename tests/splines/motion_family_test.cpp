@@ -155,7 +155,7 @@ TEST(MotionFamily, RefusesDisplacementsThatContradict) {
               "a family of motions: found no stretch; allowed: one or more");
 }
 
-TEST(MotionFamily, RestHoldsBesideDwellsAndOpenEnds) {
+TEST(MotionFamily, RestHoldsNextToDwells) {
     FamilyRequest request{7, 6, DesignKind::states, {}, false, false};
     request.stretches = {spline(0, 1, 10, 1.0), dwell(1, 1.5), spline(1.5, 2.5, 10, 0.0), shape(2.5, 3, 0.3),
                          spline(3, 4, 10, 0.5)};
