@@ -54,6 +54,14 @@ std::array<double, 3> torque_weights(const DriveTorque& torque, const DriveSpan&
     return {factor * torque.velocity, factor * torque.acceleration, factor * span.constant};
 }
 
+/// Whether the quadrature is exact for a squared velocity on the piece.
+bool is_exact(const MotionFamily& family, const MotionFamily::Piece& piece) {
+    constexpr int most_of_quadrature = 9;
+    if (piece.segment < 0) return false;
+    const int run = family.stretches()[static_cast<std::size_t>(piece.stretch)].run;
+    return 2 * (family.run_space(run).degree() - 1) <= most_of_quadrature;
+}
+
 /// Calls visit(begin, end) for the parts of [begin, end] between the ends of spans.
 template <class Visit>
 void visit_parts(const std::vector<DriveSpan>& spans, double begin, double end, Visit&& visit) {
@@ -133,7 +141,7 @@ class MotorEnergy {
             length += piece.end - piece.begin;
             visit_parts(spans_, piece.begin, piece.end, [&](double begin, double end, const DriveSpan& span) {
                 const std::array<double, 3> weights = torque_weights(torque_, span, 1.0 / level);
-                visit_quadrature(begin, end, piece.segment < 0 ? parts_of_shape : 1,
+                visit_quadrature(begin, end, is_exact(family, piece) ? 1 : parts_of_shape,
                                  [&](double x, double weight) {
                                      AffineRow row{weights[2], {}, {}};
                                      row = combined(row, weights[0], family.functional(x, 1));

@@ -35,6 +35,9 @@ void add_region(std::vector<PointCondition>& all, const PlacedPoint& region, int
     if (degree <= 3) return;
     add(region.end, 1, Side::left, velocity);
     add(0.5 * (region.begin + region.end), 1, Side::right, velocity);
+    if (degree <= 5) return;
+    add(region.begin, 3, Side::right, 0.0);
+    add(region.end, 3, Side::left, 0.0);
 }
 
 }  // namespace
@@ -340,7 +343,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
     request.repeat = motion.repeat;
     request.start = end_velocities(motion, false);
     request.end = end_velocities(motion, true);
-    request.end_jerk_zero = scene.spline.end_jerk == EndJerk::zero;
+    request.rest = scene.spline.rest;
     const double unit = scene.motion.unit_angle();
     const std::vector<PlacedPoint> points = placed_points(scene.motion);
     // Where two splines reverse the motion y' = 0 is a condition: inequalities around the joint would be

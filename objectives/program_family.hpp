@@ -58,7 +58,8 @@ struct FreeDisplacements {
 // none between. It is y(a) + v (x − a) exactly if
 //   p = 3:  y'(a) = v, y''(a) = y''(b) = 0   (y'' is linear, so it vanishes; y' is constant),
 //   p = 5:  these, y'(b) = v and y'((a + b)/2) = v   (y' − v is quartic with double zeros at both ends, so a
-//           multiple of (x − a)²(b − x)²; the middle makes that multiple 0).
+//           multiple of (x − a)²(b − x)²; the middle makes that multiple 0),
+//   p = 7:  these and y'''(a) = y'''(b) = 0, in the same way with triple zeros.
 // All of them are linear in the design vector, in any form, and of the order of its entries.
 
 /// `end`: of the motion, x: there a point is seen from the left.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_family.hpp"
 
-#include <fmt/format.h>
-
 namespace camopt {
 
 namespace {
@@ -15,11 +13,10 @@ std::vector<PointCondition> scene_conditions(const Scene& scene) {
         conditions.push_back({1.0, 0, Side::right, 1.0, "top of the rise: y(1) = 1", false});
         conditions.push_back({1.0, 1, Side::right, 0.0, "top of the rise: y'(1) = 0", false});
     }
-    if (scene.spline.end_jerk == EndJerk::zero) {
-        conditions.push_back({0.0, 3, Side::right, 0.0, "spline.end_jerk at x = 0", false});
-        conditions.push_back(
-            {length, 3, Side::left, 0.0, fmt::format("spline.end_jerk at x = {:.6g}", length), false});
-    }
+    for (PointCondition& condition : rest_conditions(0.0, Side::right, scene.spline.rest))
+        conditions.push_back(std::move(condition));
+    for (PointCondition& condition : rest_conditions(length, Side::left, scene.spline.rest))
+        conditions.push_back(std::move(condition));
     for (const PlacedPoint& point : placed_points(motion)) {
         const std::vector<PointCondition> own = conditions_of(motion, point, scene.spline.degree, length);
         conditions.insert(conditions.end(), own.begin(), own.end());

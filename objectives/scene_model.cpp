@@ -277,7 +277,7 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference, cons
     if (prescribed) add_prescribed_peaks(model, scene, reference);
     for (const WeightedPeak& source : weighted_peaks(scene, reference, units)) {
         const bool peak = source.kind == Parameter::Kind::peak;
-        if (peak && source.order < 3) model.entry_scale[source.order] = source.reference;
+        if (peak) model.entry_scale[source.order] = source.reference;
         if (peak && source.order == 3) model.jerk_reference = source.reference;
         const std::optional<PeakLimit>& limit = *source.limit;
         const double error = limit ? scene.motion_error(source.order) : 0.0;

@@ -96,10 +96,6 @@ int Scene::nearest_harmonic() const {
     return static_cast<int>(std::round(std::clamp(ratio, 1.0, beyond)));
 }
 
-const char* name_of(EndJerk value) {
-    return value == EndJerk::free ? "free" : "zero";
-}
-
 int segments_of(const SplineSpec& spline) {
     return spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
 }

@@ -17,7 +17,6 @@
 namespace camopt {
 
 enum class SegmentKind { dwell, law, spline };
-enum class EndJerk { free, zero };
 enum class TieBreak { none, rms_jerk };
 /// What V, A and J of a program are measured by (objectives/program_family.hpp, peak_scales).
 enum class PeakScope { strokes, motion };
@@ -201,18 +200,23 @@ struct MotionSpec {
 };
 
 struct SplineSpec {
-    int degree = 3;     ///< 3 or 5
+    int degree = 3;     ///< 3, 5 or 7
     int segments = 12;  ///< uniform segments over the whole motion; ignored where breakpoints are given
     /// RR: half of the segments over the rise, half over the return, in place of uniform ones over both.
     bool by_stroke = false;
     std::vector<double> breakpoints;  ///< x, ascending, from 0 to length(); empty: uniform
     /// The interior breakpoints are variables too: those above are where the search starts.
     bool free_knots = false;
-    std::optional<int> continuity;  ///< highest continuous derivative, 2 … degree − 1; default degree − 1
-    EndJerk end_jerk = EndJerk::free;  ///< zero: y''' = 0 at both ends, degree 5 only
+    /// Highest continuous derivative, roughest() … degree − 1; default degree − 1.
+    std::optional<int> continuity;
+    /// Highest derivative that is 0 where the spline meets rest: the ends of DRD and RR, dwells and open ends
+    /// of a program. 2 … degree − 1; 3 is also the key spline.end_jerk = "zero".
+    int rest = 2;
     DesignKind design = DesignKind::automatic;
 
     [[nodiscard]] int smoothness() const { return continuity.value_or(degree - 1); }
+    /// The least continuity: a state at a breakpoint holds y'', of degree 7 y''' too.
+    [[nodiscard]] int roughest() const { return degree == 7 ? 3 : 2; }
     friend bool operator==(const SplineSpec&, const SplineSpec&) = default;
 };
 
@@ -456,7 +460,6 @@ struct SceneFault {
 void validate(const Scene& scene);
 
 [[nodiscard]] const char* name_of(SegmentKind value);
-[[nodiscard]] const char* name_of(EndJerk value);
 [[nodiscard]] const char* name_of(TieBreak value);
 [[nodiscard]] const char* name_of(PeakScope value);
 

@@ -144,7 +144,7 @@ void add_candidates_on_segment(const SplineSpace& space, int segment, const Eige
 /// optimum has many, `at` is the first.
 [[nodiscard]] Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function);
 
-/// Exact: max |y^{(order)}|, its root mean square, and max |y' y''|. order 1 … 3.
+/// Exact: max |y^{(order)}|, its root mean square, and max |y' y''|. order >= 1.
 [[nodiscard]] Extremum peak_of(const SplineCurve& curve, int order);
 [[nodiscard]] double mean_of(const SplineCurve& curve, int order);
 [[nodiscard]] Extremum torque_peak_of(const SplineCurve& curve);

@@ -11,7 +11,7 @@ namespace camopt {
 
 namespace {
 
-constexpr std::array<const char*, 3> prime = {"y", "y'", "y''"};
+constexpr std::array<const char*, 4> prime = {"y", "y'", "y''", "y'''"};
 
 std::vector<int> consecutive(int first, int count) {
     std::vector<int> numbers(count);
@@ -19,13 +19,15 @@ std::vector<int> consecutive(int first, int count) {
     return numbers;
 }
 
-/// Rows of the 3 x … matrix: y, y', y'' of a polynomial with p + 1 terms at t.
-Eigen::MatrixXd state_of_monomials(int degree, double t) {
-    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(3, degree + 1);
-    for (int m = 0; m <= degree; ++m) {
-        state(0, m) = std::pow(t, m);
-        if (m >= 1) state(1, m) = m * std::pow(t, m - 1);
-        if (m >= 2) state(2, m) = m * (m - 1) * std::pow(t, m - 2);
+/// Rows of the `orders` x … matrix: y, y', … of a polynomial with p + 1 terms at t.
+Eigen::MatrixXd state_of_monomials(int degree, double t, int orders) {
+    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(orders, degree + 1);
+    for (int order = 0; order < orders; ++order) {
+        for (int m = order; m <= degree; ++m) {
+            double factor = 1.0;
+            for (int r = 0; r < order; ++r) factor *= m - r;
+            state(order, m) = factor * std::pow(t, m - order);
+        }
     }
     return state;
 }
@@ -61,6 +63,25 @@ LocalMap quintic_state_map(int segment, double h) {
     return map;
 }
 
+/// Septic Hermite: (y, y', y'', y''') at both ends. Column c holds the derivative c mod 4 of one of them.
+LocalMap septic_state_map(int segment, double h) {
+    constexpr double a = 1.0 / 6.0, b = 2.0 / 3.0;
+    constexpr std::array<std::array<double, 8>, 4> upper = {{{-35, -20, -5, -b, 35, -15, 2.5, -a},
+                                                             {84, 45, 10, 1, -84, 39, -7, 0.5},
+                                                             {-70, -36, -7.5, -b, 70, -34, 6.5, -0.5},
+                                                             {20, 10, 2, a, -20, 10, -2, a}}};
+    LocalMap map{consecutive(4 * segment, 8), Eigen::MatrixXd::Zero(8, 8), Eigen::VectorXd::Zero(8)};
+    map.matrix.diagonal().head<4>() << 1.0, 1.0, 0.5, a;
+    for (int k = 0; k < 4; ++k)
+        for (int c = 0; c < 8; ++c) map.matrix(4 + k, c) = upper[k][c] / std::pow(h, 4 + k - c % 4);
+    return map;
+}
+
+/// Derivatives of a state at a breakpoint: y, y', y'', of degree 7 y''' too.
+int orders_of_state(const SplineSpace& space) {
+    return space.degree() == 7 ? 4 : 3;
+}
+
 /// Whether symmetry leaves the continuity of the derivative of `order` to be imposed at the mirror image of
 /// `doubled_place` (2 · breakpoint; odd for the middle of a segment): left of the middle always, right of it
 /// never, and in the middle only where mirroring changes the derivative's sign.
@@ -89,7 +110,7 @@ void add_continuity_rows(DesignForm& form, const DesignRequest& request) {
                 add(combined(functional_of(form.maps[i], h, order), -1.0, next), order);
             }
         } else if (i + 1 < space.segments()) {
-            for (int order = 3; order <= space.continuity(); ++order) {
+            for (int order = orders_of_state(space); order <= space.continuity(); ++order) {
                 if (!needs_continuity(request, order, 2 * (i + 1))) continue;
                 add(combined(functional_of(form.maps[i], h, order), -1.0,
                              functional_of(form.maps[i + 1], 0.0, order)),
@@ -101,24 +122,27 @@ void add_continuity_rows(DesignForm& form, const DesignRequest& request) {
 
 DesignForm states_form(const DesignRequest& request) {
     const SplineSpace& space = request.space;
-    if ((space.degree() != 3 && space.degree() != 5) || space.continuity() < 2)
+    const int p = space.degree(), orders = orders_of_state(space);
+    if ((p != 3 && p != 5 && p != 7) || space.continuity() < orders - 1)
         throw InputError(
             fmt::format("design \"states\": found degree {} with continuity {}; allowed: degree 3 or "
-                        "5 with continuity 2 or more",
-                        space.degree(), space.continuity()));
+                        "5 with continuity 2 or more, degree 7 with 3 or more",
+                        p, space.continuity()));
     DesignForm form;
     const int last = space.segments();
     for (int i = 0; i <= last; ++i) {
-        for (int order = 0; order < 3; ++order) {
-            const bool end = i == 0 || i == last;
+        for (int order = 0; order < orders; ++order) {
+            const bool end = (i == 0 || i == last) && order < 3;
             const auto& state = i == 0 ? request.begin_state : request.end_state;
             form.entries.push_back(
                 {fmt::format("{}[{}]", prime[order], i), order, i, end, end ? state[order] : 0.0});
         }
     }
     for (int i = 0; i < last; ++i) {
-        form.maps.push_back(space.degree() == 3 ? cubic_state_map(i, space.width(i))
-                                                : quintic_state_map(i, space.width(i)));
+        const double h = space.width(i);
+        form.maps.push_back(p == 3   ? cubic_state_map(i, h)
+                            : p == 5 ? quintic_state_map(i, h)
+                                     : septic_state_map(i, h));
     }
     add_continuity_rows(form, request);
     return form;
@@ -156,11 +180,11 @@ DesignForm coefficients_form(const DesignRequest& request) {
         return Eigen::Vector3d(values[0], values[1], values[2]);
     };
     // Three control points at each end belong to its state alone, if there are six.
-    const Eigen::MatrixXd first = state_of_monomials(p, 0.0) * form.maps.front().matrix;
+    const Eigen::MatrixXd first = state_of_monomials(p, 0.0, 3) * form.maps.front().matrix;
     fix(form, 0, first.leftCols<3>().partialPivLu().solve(state(request.begin_state)));
     if (space.dimension() >= 6) {
         const double h = space.width(space.segments() - 1);
-        const Eigen::MatrixXd last = state_of_monomials(p, h) * form.maps.back().matrix;
+        const Eigen::MatrixXd last = state_of_monomials(p, h, 3) * form.maps.back().matrix;
         fix(form, space.dimension() - 3, last.rightCols<3>().partialPivLu().solve(state(request.end_state)));
     } else {
         add_end_conditions(form, request, false, 0);
@@ -171,14 +195,15 @@ DesignForm coefficients_form(const DesignRequest& request) {
 // ---- ordinates
 // ------------------------------------------------------------------------------------------------
 
-/// c = offset + M x for the interpolating spline: ordinates at the breakpoints, y' (quintic: and y'') at the
-/// ends.
+/// c = offset + M x for the interpolating spline: ordinates at the breakpoints, y' … of order (degree − 1) /
+/// 2 at the ends.
 struct Interpolation {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd offset;
 };
 
-Interpolation interpolation_of(const DesignRequest& request) {
+/// Its x: the ordinates, around them y''' at both ends of degree 7, which the end states do not give.
+Interpolation interpolation_of(const DesignRequest& request, int entries_of_form) {
     const SplineSpace& space = request.space;
     const int p = space.degree();
     const int n = space.segments();
@@ -186,41 +211,52 @@ Interpolation interpolation_of(const DesignRequest& request) {
     const int size = space.dimension();
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::MatrixXd right =
-        Eigen::MatrixXd::Zero(size, n);  // columns: interior ordinates, then the known part
-    int row = 0;
+        Eigen::MatrixXd::Zero(size, entries_of_form + 1);  // columns: entries, then the known part
+    int row = 0, entry = 0;
     const auto add_row = [&](int segment, double t, int order) {
         const Eigen::RowVectorXd values =
-            state_of_monomials(p, t).row(order) * monomials_of_basis(space, segment);
+            state_of_monomials(p, t, end_orders + 1).row(order) * monomials_of_basis(space, segment);
         for (int k = 0; k <= p; ++k)
             entries.emplace_back(row, space.first_basis_function(segment) + k, values[k]);
         return row++;
     };
-    for (int order = 0; order <= end_orders; ++order)
-        right(add_row(0, 0.0, order), n - 1) = request.begin_state[order];
-    for (int i = 1; i < n; ++i) right(add_row(i, 0.0, 0), i - 1) = 1.0;
-    for (int order = 0; order <= end_orders; ++order)
-        right(add_row(n - 1, space.width(n - 1), order), n - 1) = request.end_state[order];
+    const auto add_end = [&](int segment, double t, const std::array<double, 3>& state) {
+        for (int order = 0; order <= end_orders; ++order) {
+            const int own = add_row(segment, t, order);
+            if (order < 3)
+                right(own, entries_of_form) = state[order];
+            else
+                right(own, entry++) = 1.0;
+        }
+    };
+    add_end(0, 0.0, request.begin_state);
+    for (int i = 1; i < n; ++i) right(add_row(i, 0.0, 0), entry++) = 1.0;
+    add_end(n - 1, space.width(n - 1), request.end_state);
     Eigen::SparseMatrix<double> collocation(size, size);
     collocation.setFromTriplets(entries.begin(), entries.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(collocation);
     const Eigen::MatrixXd solution = factor.solve(right);
-    return {solution.leftCols(n - 1), solution.col(n - 1)};
+    return {solution.leftCols(entries_of_form), solution.col(entries_of_form)};
 }
 
 DesignForm ordinates_form(const DesignRequest& request) {
     const SplineSpace& space = request.space;
     const int p = space.degree();
-    if ((p != 3 && p != 5) || space.continuity() != p - 1)
+    if ((p != 3 && p != 5 && p != 7) || space.continuity() != p - 1)
         throw InputError(
-            fmt::format("design \"ordinates\": found degree {} with continuity {}; allowed: degree 3 or "
-                        "5 with continuity degree − 1 (the ordinates alone do not fix a rougher spline)",
+            fmt::format("design \"ordinates\": found degree {} with continuity {}; allowed: degree 3, 5 or "
+                        "7 with continuity degree − 1 (the ordinates alone do not fix a rougher spline)",
                         p, space.continuity()));
     DesignForm form;
     form.dense = true;
-    for (int i = 1; i < space.segments(); ++i) form.entries.push_back({fmt::format("y[{}]", i), 0, i});
-    const Interpolation interpolation = interpolation_of(request);
-    const std::vector<int> all = consecutive(0, space.segments() - 1);
-    for (int i = 0; i < space.segments(); ++i) {
+    const int n = space.segments();
+    if (p == 7) form.entries.push_back({"y'''[0]", 3, 0});
+    for (int i = 1; i < n; ++i) form.entries.push_back({fmt::format("y[{}]", i), 0, i});
+    if (p == 7) form.entries.push_back({fmt::format("y'''[{}]", n), 3, n});
+    const auto size = static_cast<int>(form.entries.size());
+    const Interpolation interpolation = interpolation_of(request, size);
+    const std::vector<int> all = consecutive(0, size);
+    for (int i = 0; i < n; ++i) {
         const Eigen::MatrixXd basis = monomials_of_basis(space, i);
         const int first = space.first_basis_function(i);
         form.maps.push_back({all, basis * interpolation.matrix.middleRows(first, p + 1),
@@ -241,7 +277,7 @@ void add_symmetry_rows(DesignForm& form, const DesignRequest& request) {
     const bool odd = request.symmetry == Symmetry::odd;
     const double sum = request.begin_state[0] + request.end_state[0];
     const int count = static_cast<int>(form.entries.size());
-    const int per_place = request.kind == DesignKind::states ? 3 : 1;
+    const int per_place = request.kind == DesignKind::states ? orders_of_state(request.space) : 1;
     for (int j = 0; j < count; ++j) {
         const int order = form.entries[j].order;
         const int mirrored = (count / per_place - 1 - j / per_place) * per_place + j % per_place;
@@ -256,6 +292,14 @@ void add_symmetry_rows(DesignForm& form, const DesignRequest& request) {
 }
 
 }  // namespace
+
+std::vector<PointCondition> rest_conditions(double x, Side side, int rest) {
+    const char* const key = rest == 3 ? "spline.end_jerk" : "spline.rest";
+    std::vector<PointCondition> conditions;
+    for (int order = 3; order <= rest; ++order)
+        conditions.push_back({x, order, side, 0.0, fmt::format("{} at x = {:.6g}", key, x), false});
+    return conditions;
+}
 
 DesignForm raw_form(const DesignRequest& request) {
     DesignForm form;

@@ -21,6 +21,9 @@ struct PointCondition {
     bool in_group = false;
 };
 
+/// y^{(r)} = 0 at x for r = 3 … rest: what rest of that order adds to a state at rest.
+[[nodiscard]] std::vector<PointCondition> rest_conditions(double x, Side side, int rest);
+
 /// odd: y(x) + y(mirror of x) = y_begin + y_end (a rise);  even: y(x) = y(mirror of x) (a rise and return).
 enum class Symmetry { none, odd, even };
 

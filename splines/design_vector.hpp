@@ -2,9 +2,11 @@
 //
 // Design vectors: three parametrizations of one spline by numbers x that an optimizer can move.
 //
-//   ordinates     y at the interior breakpoints (the paper's); the end states determine the rest. Dense.
+//   ordinates     y at the interior breakpoints (the paper's), of degree 7 y''' at both ends too; the end
+//                 states determine the rest. Dense.
 //   coefficients  B-spline control points except those fixed by the end states. Local.
-//   states        y, y', y'' at the breakpoints, continuity as sparse rows. Local, the best conditioned.
+//   states        y, y', y'' (degree 7: and y''') at the breakpoints, continuity as sparse rows. Local, the
+//                 best conditioned.
 //
 // In every form the local polynomial of segment i is affine in x:  a_i = offset_i + M_i x[columns_i].
 // Conditions that the form does not build in (continuity of `states`, set points, symmetry) are sparse rows
@@ -28,8 +30,8 @@ class DesignVector {
     /// y, y', y'' at the ends, as requested.
     [[nodiscard]] const std::array<double, 3>& begin_state() const { return begin_state_; }
     [[nodiscard]] const std::array<double, 3>& end_state() const { return end_state_; }
-    /// Order of derivative that entry `index` stands for: 0 for ordinates and control points, 0, 1, 2 for
-    /// states.
+    /// Order of derivative that entry `index` stands for: 0 for ordinates and control points, 0 … 2 for
+    /// states; 3 for y''' of degree 7.
     [[nodiscard]] int order(int index) const { return orders_[index]; }
     /// The breakpoint of an entry, x. Not of coefficients.
     [[nodiscard]] double place(int index) const {

@@ -8,7 +8,7 @@ namespace camopt {
 namespace {
 
 /// Rᵀ with ∫_0^h (y^{(order)})² dt = |R u|² for y = Σ_m u_m t^m: in t / h the Gram matrix of the monomials is
-/// Hilbert's, of size 4 at most here.
+/// Hilbert's, of size 6 at most here.
 Eigen::MatrixXd root_of_energy(int size, int order, double h) {
     const int terms = std::max(0, size - order);
     Eigen::MatrixXd hilbert(terms, terms);

@@ -2,6 +2,7 @@
 #include "splines/motion_chain.hpp"
 
 #include "core/errors.hpp"
+#include "splines/curve.hpp"
 
 #include <fmt/format.h>
 
@@ -83,8 +84,8 @@ MotionChain::MotionChain(std::vector<ChainPart> parts) : parts_(std::move(parts)
     }
 }
 
-MotionPoint MotionChain::at(double x, Side side) const {
-    // At its ends a chain has one side only, even if a part continues past them.
+/// At its ends a chain has one side only, even if a part continues past them.
+std::size_t MotionChain::part_at(double x, Side& side) const {
     if (x <= begin()) side = Side::right;
     if (x >= end()) side = Side::left;
     std::size_t index = 0;
@@ -92,7 +93,24 @@ MotionPoint MotionChain::at(double x, Side side) const {
            (side == Side::right ? x >= parts_[index + 1].begin : x > parts_[index + 1].begin)) {
         ++index;
     }
+    return index;
+}
+
+MotionPoint MotionChain::at(double x, Side side) const {
+    const std::size_t index = part_at(x, side);
     return point_of(parts_[index], own_breakpoints_[index], x, side);
+}
+
+double MotionChain::higher_derivative(double x, int order, Side side) const {
+    const std::size_t index = part_at(x, side);
+    const ChainPart& part = parts_[index];
+    if (!part.shape) return 0.0;
+    const auto* const spline = dynamic_cast<const SplineCurve*>(part.shape.get());
+    if (spline == nullptr)
+        return order == 3 ? point_of(part, own_breakpoints_[index], x, side).derivative[3] : std::nan("");
+    const double own = own_place(part, own_breakpoints_[index], x);
+    const Side own_side = part.x_scale > 0.0 ? side : opposite(side);
+    return part.y_scale / std::pow(part.x_scale, order) * spline->derivative(own, order, own_side);
 }
 
 std::vector<double> MotionChain::breakpoints() const {

@@ -30,12 +30,16 @@ class MotionChain final : public Motion {
     [[nodiscard]] double end() const override { return parts_.back().end; }
     [[nodiscard]] MotionPoint at(double x, Side side = Side::right) const override;
     [[nodiscard]] std::vector<double> breakpoints() const override;
+    /// y^{(order)}, 3 or higher, of a dwell or a spline; NaN where another shape has no such derivative.
+    [[nodiscard]] double higher_derivative(double x, int order, Side side) const;
 
     [[nodiscard]] const std::vector<ChainPart>& parts() const { return parts_; }
 
  private:
     std::vector<ChainPart> parts_;
     std::vector<std::vector<double>> own_breakpoints_;  ///< of each shape; empty for a dwell
+
+    [[nodiscard]] std::size_t part_at(double x, Side& side) const;
 };
 
 /// Index of the interval [begins_i, begins_{i+1}) that holds x, of (…] as seen from the left; clamped.

@@ -31,7 +31,8 @@ struct FamilyRequest {
     bool relative = false;
     std::array<double, 2> start{}, end{};  ///< y', y'' of a spline at an open end
     int repeat = 1;                        ///< closed: so many copies of all stretches, with the same entries
-    bool end_jerk_zero = false;            ///< y''' = 0 where a run meets a dwell
+    /// Highest derivative that is 0 where a run meets a dwell or an open end; from 2 on (rest_conditions()).
+    int rest = 2;
 };
 
 /// The displacement at a joint that no entry moves: given, or propagated by dwells and closure.

@@ -203,7 +203,7 @@ struct MotionFamily::Builder {
     /// the shape's next to a shape. `at_end`: of the neighbour.
     [[nodiscard]] EndState beside(int neighbour, bool at_end, const AffineRow& level) {
         EndState state{level, constant(0.0), constant(0.0)};
-        if (neighbour < 0 || (!wraps && neighbour >= stretches)) {
+        if (is_open_end(neighbour)) {
             const std::array<double, 2>& given = at_end ? request.start : request.end;
             return {level, constant(given[0]), constant(given[1])};
         }
@@ -223,13 +223,20 @@ struct MotionFamily::Builder {
         return state;
     }
 
+    /// Before and after a run; −1: there is none before.
+    [[nodiscard]] std::array<int, 2> neighbours_of(const RunPlan& plan) const {
+        return {plan.first > 0 ? plan.first - 1 : wraps ? stretches - 1 : -1, plan.first + plan.count};
+    }
+    [[nodiscard]] bool is_open_end(int neighbour) const {
+        return neighbour < 0 || (!wraps && neighbour >= stretches);
+    }
+
     std::pair<EndState, EndState> ends_of(const RunPlan& plan) {
         if (ring) {
             const AffineRow velocity = seam_state(1), acceleration = seam_state(2);
             return {{constant(0.0), velocity, acceleration}, {levels.back(), velocity, acceleration}};
         }
-        const int before = plan.first > 0 ? plan.first - 1 : wraps ? stretches - 1 : -1;
-        const int after = plan.first + plan.count;
+        const auto [before, after] = neighbours_of(plan);
         const int last_joint = after <= stretches ? after : after - stretches;
         return {beside(before, true, levels[plan.first]), beside(after, false, levels[last_joint])};
     }
@@ -260,13 +267,14 @@ struct MotionFamily::Builder {
                                       true});
             }
         }
-        const auto no_jerk = [&](double x, Side side) {
-            conditions.push_back({x, 3, side, 0.0, fmt::format("spline.end_jerk at x = {:.6g}", x), false});
+        const auto [before, after] = neighbours_of(plan);
+        const auto add_rest = [&](int neighbour, double x, Side side) {
+            if (!is_open_end(neighbour) && stretch(neighbour).kind != Kind::dwell) return;
+            for (PointCondition& condition : rest_conditions(x, side, request.rest))
+                conditions.push_back(std::move(condition));
         };
-        if (request.end_jerk_zero && !ring) {
-            if (!(seam && plan.first == 0)) no_jerk(breakpoints.front(), Side::right);
-            if (!(seam && plan.first + plan.count == stretches)) no_jerk(breakpoints.back(), Side::left);
-        }
+        add_rest(before, breakpoints.front(), Side::right);
+        add_rest(after, breakpoints.back(), Side::left);
         return {SplineSpace(request.degree, request.continuity, std::move(breakpoints)),
                 request.kind,
                 {},

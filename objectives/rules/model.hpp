@@ -159,8 +159,8 @@ struct CamModel {
     double jerk_reference = 1.0;  ///< of the energy that breaks ties (cam_problem.hpp)
     /// Entries of a motion that is the first start of a search; empty: none.
     Eigen::VectorXd start_design;
-    /// Typical sizes of y, y', y'': design entries are optimized in these units.
-    std::array<double, 3> entry_scale{1.0, 1.0, 1.0};
+    /// Typical sizes of y … y''': design entries are optimized in these units.
+    std::array<double, 4> entry_scale{1.0, 1.0, 1.0, 1.0};
     /// Of each design entry: these sizes times its factor, which a short stroke makes large; none: 1.
     std::vector<double> entry_factors;
     std::vector<StretchScale> stretch_scales;  ///< one a stretch; none: DRD and RR, all 1

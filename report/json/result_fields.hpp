@@ -13,7 +13,7 @@ namespace camopt {
 
 inline void fields(const JsonFields& json, CurveRecord& curve) {
     json.count("degree", curve.degree);
-    json.check("degree", curve.degree == 3 || curve.degree == 5, "3 or 5");
+    json.check("degree", curve.degree == 3 || curve.degree == 5 || curve.degree == 7, "3, 5 or 7");
     json.count("continuity", curve.continuity);
     json("breakpoints", curve.breakpoints);
     json("pieces", curve.pieces);

@@ -134,7 +134,10 @@ std::string spline_words(const Scene& scene) {
     const bool uniform = spline.breakpoints.empty();
     const std::size_t segments =
         uniform ? static_cast<std::size_t>(spline.segments) : spline.breakpoints.size() - 1;
-    return fmt::format("spline of {} {} {}{}{}", segments, spline.degree == 3 ? "cubic" : "quintic",
+    return fmt::format("spline of {} {} {}{}{}", segments,
+                       spline.degree == 3   ? "cubic"
+                       : spline.degree == 5 ? "quintic"
+                                            : "septic",
                        segments == 1 ? "segment" : "segments",
                        scene.motion.type == MotionType::program ? " in each of its parts" : "",
                        uniform ? "" : " on these breakpoints");

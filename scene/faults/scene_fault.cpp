@@ -106,16 +106,20 @@ Fault free_knot_fault(const Scene& scene) {
 }
 
 Fault spline_fault(const SplineSpec& spline) {
-    if (spline.degree != 3 && spline.degree != 5)
-        return SceneFault{"spline.degree", fmt::to_string(spline.degree), "3 or 5"};
+    if (spline.degree != 3 && spline.degree != 5 && spline.degree != 7)
+        return SceneFault{"spline.degree", fmt::to_string(spline.degree), "3, 5 or 7"};
     const int smoothest = spline.degree - 1;
-    if (spline.smoothness() < 2 || spline.smoothness() > smoothest)
+    if (spline.smoothness() < spline.roughest() || spline.smoothness() > smoothest)
+        return SceneFault{"spline.continuity", fmt::to_string(*spline.continuity),
+                          smoothest == 2 ? "2 with degree 3"
+                                         : fmt::format("an integer from {} to {} with degree {}",
+                                                       spline.roughest(), smoothest, spline.degree)};
+    if (spline.rest == 3 && smoothest < 3)
+        return SceneFault{"spline.end_jerk", "\"zero\" with degree 3", "\"free\", or degree 5 or 7"};
+    if (spline.rest < 2 || spline.rest > smoothest)
         return SceneFault{
-            "spline.continuity", fmt::to_string(*spline.continuity),
-            smoothest == 2 ? "2 with degree 3"
-                           : fmt::format("an integer from 2 to {} with degree {}", smoothest, spline.degree)};
-    if (spline.end_jerk == EndJerk::zero && spline.degree != 5)
-        return SceneFault{"spline.end_jerk", "\"zero\" with degree 3", "\"free\", or degree 5"};
+            "spline.rest", fmt::format("{} with degree {}", spline.rest, spline.degree),
+            smoothest == 2 ? "2, or degree 5 or 7" : fmt::format("an integer from 2 to {}", smoothest)};
     if (spline.design == DesignKind::ordinates && spline.smoothness() != smoothest)
         return SceneFault{"spline.design",
                           fmt::format("\"ordinates\" with continuity {}", spline.smoothness()),

@@ -42,11 +42,28 @@ KeyPlace knots_place() {
             }};
 }
 
+// Two keys of one member: a scene is written with end_jerk where that can say it.
+constexpr int without_jerk = 3;
+
+KeyPlace end_jerk_place() {
+    return {.assign = [](Scene& scene, const KeyValue& value,
+                         const KeyAt&) { scene.spline.rest = value == KeyValue("zero") ? without_jerk : 2; },
+            .value = [](const Scene& scene, const KeyAt&) -> std::optional<KeyValue> {
+                if (scene.spline.rest > without_jerk) return {};
+                return scene.spline.rest == without_jerk ? "zero" : "free";
+            }};
+}
+
+KeyPlace rest_place() {
+    return unless(stored_in(&Scene::spline, &SplineSpec::rest),
+                  [](const Scene& scene, const KeyAt&) { return scene.spline.rest <= without_jerk; });
+}
+
 // A row is read as a row.
 // clang-format off
 Rows spline() {
     return {
-        {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline.",
+        {"spline", "degree", integer, plain, any, {"3", "5", "7"}, "3", "Degree of the spline.",
          stored_in(&Scene::spline, &SplineSpec::degree)},
         {"spline", "segments", integer, plain, Range::between(1, 65536), {}, "12",
          "Uniform segments over the rise (DRD), over rise and return (RR), or over each spline segment of a "
@@ -58,11 +75,14 @@ Rows spline() {
          "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
          "where the search starts, in a program the same for every spline segment. At most 256 segments.",
          knots_place()}),
-        called("continuous derivatives", {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
-         "Highest continuous derivative, from 2 to degree - 1.", stored_in(&Scene::spline, &SplineSpec::continuity)}),
+        called("continuous derivatives", {"spline", "continuity", integer, plain, Range::between(2, 6), {}, "degree - 1",
+         "Highest continuous derivative, from 2 (degree 7: 3) to degree - 1.", stored_in(&Scene::spline, &SplineSpec::continuity)}),
         called("jerk at the ends", {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",
-         "`\"zero\"`: y''' = 0 at both ends, so that the jerk does not jump at the dwells; degree 5 only.",
-         stored_in(&Scene::spline, &SplineSpec::end_jerk)}),
+         "`\"zero\"`: y''' = 0 at both ends, so that the jerk does not jump at the dwells; degree 5 or 7. "
+         "The same as `rest = 3`.", end_jerk_place()}),
+        called("order of rest", {"spline", "rest", integer, plain, Range::between(2, 6), {}, "2",
+         "Highest derivative that is 0 where the spline meets rest: at both ends (DRD, RR), at dwells and open ends of a "
+         "program. From 2 to degree - 1.", rest_place(), Availability::now, "end_jerk"}),
         called("variables of the search", {"spline", "design", text, plain, any, {"auto", "ordinates", "coefficients", "states"}, "\"auto\"",
          "The variables of the search: displacements at the breakpoints (full continuity only), B-spline "
          "coefficients, or displacement and derivatives at the breakpoints.",

@@ -17,7 +17,7 @@ KNOWN_OF_MOTION = ("type", "lift_", "rise_", "return_", "speed_", "symmetric", "
                    "corridor", "segments", "closed", "repeat", "stops", "phase_")
 
 
-KNOWN_KEYS = {"spline": ("degree", "segments", "breakpoints", "knots", "continuity", "end_jerk", "design"),
+KNOWN_KEYS = {"spline": ("degree", "segments", "breakpoints", "knots", "continuity", "end_jerk", "rest", "design"),
               "measured": ("table", "columns", "decimal", "theta", "s_", "step_", "zero", "angles", "outliers", "use", "norm",
                            "name"),
               "segments": ("kind", "angle_", "law", "to", "via", "end"),

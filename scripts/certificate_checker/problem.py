@@ -162,7 +162,7 @@ class Problem:
         if self.type == "RR":
             run.demand(Fraction(1), 0, "right", Fraction(1), "top of the rise: y(1) = 1")
             run.demand(Fraction(1), 1, "right", Fraction(0), "top of the rise: y'(1) = 0")
-        self.end_jerk(run)
+        self.rest(run, True, True)
         self.set_points(run, self.motion.get("via", []), stretch, Fraction(1))
         if self.motion.get("symmetric", False):
             self.symmetry(run)
@@ -187,10 +187,14 @@ class Problem:
                 return self.derivative_in_unit(point, "velocity", width), Fraction(0)
         return Fraction(0), Fraction(0)
 
-    def end_jerk(self, run):
-        if self.spline.get("end_jerk", "free") == "zero" and not run.is_ring():
-            run.demand(run.space.breakpoints[0], 3, "right", Fraction(0), "spline.end_jerk")
-            run.demand(run.space.breakpoints[-1], 3, "left", Fraction(0), "spline.end_jerk")
+    def rest(self, run, at_start, at_end):
+        """Where the run meets rest its derivatives are 0 up to spline.rest; y' and y'' are demanded with the state."""
+        most = self.spline.get("rest", 3 if self.spline.get("end_jerk", "free") == "zero" else 2)
+        for order in range(3, most + 1):
+            if at_start:
+                run.demand(run.space.breakpoints[0], order, "right", Fraction(0), "spline.rest")
+            if at_end:
+                run.demand(run.space.breakpoints[-1], order, "left", Fraction(0), "spline.rest")
 
     def symmetry(self, run):
         """y(x) + y(1 - x) = 1 of DRD, y(x) = y(2 - x) of RR: control points in pairs."""
@@ -381,6 +385,11 @@ class Problem:
         """The largest magnitude of a number or of a function of displacements that are free."""
         return sum(abs(w) * (self.farthest_level if key else 1) for key, w in value.items()) if isinstance(value, dict) else value
 
+    def is_rest(self, segments, index):
+        """A dwell, or an open end."""
+        outside = not self.wraps and not 0 <= index < len(segments)
+        return outside or segments[index % len(segments)]["kind"] == "dwell"
+
     def add_run(self, segments, group, passed, curves):
         """The run of the segments that `group` counts; those of `passed` follow the start of the next turn."""
         turn, stretches, count = self.stretches[-1].end, [self.stretches[i] for i in group], len(segments)
@@ -412,7 +421,7 @@ class Problem:
                 run.demand(run.begin_of(self.stretches[following]), 1, "right", Fraction(0), "turning point")
             if self.rests_between(segments, i, following):
                 run.demand(run.begin_of(self.stretches[following]), 2, "right", Fraction(0), REST)
-        self.end_jerk(run)
+        self.rest(run, *(self.is_rest(segments, neighbour) for neighbour in (group[0] - 1, group[-1] + 1)))
         for i, own in zip(group, stretches):
             self.set_points(run, segments[i].get("via", []), own, own.end - own.begin)
             for at in turning_points(self, own, segments[i].get("via", []), own.begin, own.end - own.begin):

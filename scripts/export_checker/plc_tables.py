@@ -19,6 +19,10 @@ SAME_JERK, LAST_DIGITS = Fraction(1, 10**9), Fraction(1, 10**13)  # of the jerk;
 QUINTIC = [[1, 0, 0, -10, 15, -6], [0, 0, 0, 10, -15, 6], [0, 1, 0, -6, 8, -3], [0, 0, 0, -4, 7, -3],
            [0, 0, Fraction(1, 2), Fraction(-3, 2), Fraction(3, 2), Fraction(-1, 2)],
            [0, 0, 0, Fraction(1, 2), -1, Fraction(1, 2)]]
+# The same with j0·h³, j1·h³, and c0 … c7.
+SEPTIC = [[Fraction(part) for part in row.split()] for row in (
+    "1 0 0 0 -35 84 -70 20", "0 0 0 0 35 -84 70 -20", "0 1 0 0 -20 45 -36 10", "0 0 0 0 -15 39 -34 10", "0 0 1/2 0 -5 10 -15/2 2",
+    "0 0 0 0 5/2 -7 13/2 -2", "0 0 0 1/6 -2/3 1 -2/3 1/6", "0 0 0 0 -1/6 1/2 -1/2 1/6")]
 
 
 def demand(holds, place, what):
@@ -46,12 +50,12 @@ def assignments(text):
     return elements, {field: value.strip() for field, value in FIELD.findall(code)}
 
 
-def quintic(start, end):
-    """Of two states (x, s, v, a)."""
+def hermite(start, end):
+    """Of two states (x, s, v, a) a quintic, of two (x, s, v, a, j) a polynomial of degree 7."""
     h = end[0] - start[0]
     demand(h > 0, f"master {float(start[0])}", f"is followed by {float(end[0])}")
-    ends = [start[1], end[1], start[2] * h, end[2] * h, start[3] * h * h, end[3] * h * h]
-    scaled = [sum(weight * row[k] for weight, row in zip(ends, QUINTIC)) for k in range(6)]
+    ends = [own * h**r for r, both in enumerate(zip(start[1:], end[1:])) for own in both]
+    scaled = [sum(weight * part for weight, part in zip(ends, column)) for column in zip(*(QUINTIC if len(ends) == 6 else SEPTIC))]
     return start[0], end[0], [c / h**k for k, c in enumerate(scaled)]
 
 
@@ -78,31 +82,41 @@ def codesys(text, _):
     knots = [[lreal(elements[i][name]) for name in ("dX", "dY", "dV", "dA")] for i in range(len(elements))]
     for name, knot in (("Cam.xStart", knots[0]), ("Cam.xEnd", knots[-1])):
         demand(lreal(fields[name]) == knot[0], name, f"{fields[name]}, the point has {float(knot[0])}")
-    return [quintic(a, b) for a, b in zip(knots, knots[1:])]
+    return [hermite(a, b) for a, b in zip(knots, knots[1:])]
 
 
 def codesys_ascii(text, _):
     knots = [[lreal(cell) for cell in line.split(";")] for line in text.splitlines()]
-    return [quintic(a, b) for a, b in zip(knots, knots[1:])]
+    return [hermite(a, b) for a, b in zip(knots, knots[1:])]
 
 
 def twincat(text, _):
+    knots, elements = twincat_points(text, "POLYNOM5_MM")
+    pieces = [hermite(a[:4], b[:4]) for a, b in zip(knots, knots[1:])]
+    for index, piece in enumerate([*pieces, pieces[-1]], 1):
+        demand_jerk(elements[index]["SlaveJerk"], piece, index == len(knots), f"point {index}", "SlaveJerk")
+    return pieces
+
+
+def twincat7(text, _):
+    knots, _ = twincat_points(text, "POLYNOM7_MM")
+    return [hermite(a, b) for a, b in zip(knots, knots[1:])]
+
+
+def twincat_points(text, function):
+    """States (x, s, v, a, j), and the fields of each point."""
     elements, fields = assignments(text)
     count = int(fields["Cam.NoOfRows"])
     demand(sorted(elements) == list(range(1, count + 1)), "Cam.NoOfRows", f"{count} of {len(elements)} points")
     for index, element in elements.items():
         following = 0 if index == count else 1
-        for name, value in (("PointIndex", str(index)), ("FunctionType", "MOTIONFUNCTYPE_POLYNOM5_MM"),
+        for name, value in (("PointIndex", str(index)), ("FunctionType", "MOTIONFUNCTYPE_" + function),
                             ("PointType", "MOTIONPOINTTYPE_MOTION"), ("RelIndexNextPoint", str(following))):
             demand(element[name] == value, f"point {index}", f"{name} is {element[name]}, not {value}")
     for name, value in (("Cam.TableType", "MC_TABLETYPE_MOTIONFUNCTION"), ("Cam.NoOfColumns", "1")):
         demand(fields[name] == value, name, f"{fields[name]}, not {value}")
-    names = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
-    knots = [[lreal(elements[i + 1][name]) for name in names] for i in range(count)]
-    pieces = [quintic(a, b) for a, b in zip(knots, knots[1:])]
-    for index, piece in enumerate([*pieces, pieces[-1]], 1):
-        demand_jerk(elements[index]["SlaveJerk"], piece, index == count, f"point {index}", "SlaveJerk")
-    return pieces
+    names = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc", "SlaveJerk")
+    return [[lreal(elements[i + 1][name]) for name in names] for i in range(count)], elements
 
 
 def siemens(text, _):
@@ -118,7 +132,7 @@ def siemens(text, _):
         else:
             demand(int(one["camProfileType"]) == 5, f"element {index}", f"camProfileType {one['camProfileType']}")
             demand(start[1] != end[1], f"element {index}", "ends where it begins, which the block refuses")
-            pieces.append(quintic(start, end))
+            pieces.append(hermite(start, end))
         for name, at_end in (("geoJerkStart", False), ("geoJerkEnd", True)):
             demand_jerk(one[name], pieces[-1], at_end, f"element {index}", name)
     return pieces
@@ -190,7 +204,7 @@ def lenze(text, _):
 
 def coefficients(text, _):
     rows = [line for line in text.splitlines() if not line.startswith("#")]
-    demand(rows[0] == "from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c4,c5", "columns", rows[0])
+    demand(rows[0] == "from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c4,c5,c6,c7", "columns", rows[0])
     cells = [[lreal(cell) for cell in row.split(",")] for row in rows[1:]]
     for i, row in enumerate(cells):
         for k, factor in enumerate((1, 1, 2, 6)):
@@ -198,7 +212,7 @@ def coefficients(text, _):
     return [(row[0], row[1], row[6:]) for row in cells]
 
 
-READERS = {"codesys": codesys, "twincat": twincat, "siemens": siemens, "br": br, "rockwell": rockwell, "omron": omron,
+READERS = {"codesys": codesys, "twincat": twincat, "twincat7": twincat7, "siemens": siemens, "br": br, "rockwell": rockwell, "omron": omron,
            "lenze": lenze, "csv": coefficients}
 TEXT_READERS = {"codesys": codesys_ascii}
 STRAIGHT = {"omron", "lenze"}  # no acceleration

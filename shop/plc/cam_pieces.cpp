@@ -23,7 +23,7 @@ struct Stretch {
 /// The state at the master position the controller holds instead of `theta`, on the curve that `side` sees.
 EndState held_state(const MasterCurve& curve, double theta, Side side, const FitOptions& options) {
     const std::array<double, 4> at = curve.at(theta, side);
-    EndState state{theta, at[0], at[1], at[2]};
+    EndState state{theta, at[0], at[1], at[2], at[3]};
     if (!options.master) return state;
     state.theta = options.master(theta);
     const double step = state.theta - theta;
@@ -47,12 +47,15 @@ Stretch stretch_between(const MasterCurve& curve, double from, double to, const 
     const EndState begin = held_state(curve, from, Side::right, options);
     const EndState end = held_state(curve, to, Side::left, options);
     const std::vector<double> own = own_polynomial(curve, from, to, options.degree);
+    const bool has_jerk = std::isfinite(begin.j) && std::isfinite(end.j);  // not every law's end has one
     if (options.degree == 1)
         stretch.piece = line_between(begin, end);
     else if (!own.empty())
         stretch.piece = {begin.theta, end.theta, polynomial_about({from, to, own}, begin.theta)};
     else
-        stretch.piece = options.degree == 3 ? cubic_between(begin, end) : quintic_between(begin, end);
+        stretch.piece = options.degree == 3               ? cubic_between(begin, end)
+                        : options.degree == 7 && has_jerk ? septic_between(begin, end)
+                                                          : quintic_between(begin, end);
     if (!options.points) stretch.error = largest_difference(curve, stretch.piece, {from, to}, 0).value;
     return stretch;
 }
@@ -255,6 +258,25 @@ PolynomialPiece quintic_between(const EndState& from, const EndState& to) {
             {from.s, from.v, from.a / 2.0, static_cast<double>((10 * s - 4 * v + a / 2) / cube),
              static_cast<double>((-15 * s + 7 * v - a) / (cube * h)),
              static_cast<double>((6 * s - 3 * v + a / 2) / (cube * h * h))}};
+}
+
+PolynomialPiece septic_between(const EndState& from, const EndState& to) {
+    const Wide h = Wide(to.theta) - from.theta;
+    // What the cubic of the begin leaves open at the end, each by its own power of h.
+    const Wide s = to.s - (from.s + h * (from.v + h * (from.a / 2 + h * from.j / 6)));
+    const Wide v = h * (to.v - (from.v + h * (from.a + h * from.j / 2)));
+    const Wide a = h * h * (to.a - (from.a + h * from.j));
+    const Wide j = h * h * h * (Wide(to.j) - from.j);
+    const std::array<Wide, 4> upper = {35 * s - 15 * v + 5 * a / 2 - j / 6, -84 * s + 39 * v - 7 * a + j / 2,
+                                       70 * s - 34 * v + 13 * a / 2 - j / 2,
+                                       -20 * s + 10 * v - 2 * a + j / 6};
+    PolynomialPiece piece{from.theta, to.theta, {from.s, from.v, from.a / 2.0, from.j / 6.0}};
+    Wide power = h * h * h * h;
+    for (const Wide coefficient : upper) {
+        piece.coefficients.push_back(static_cast<double>(coefficient / power));
+        power *= h;
+    }
+    return piece;
 }
 
 std::vector<PolynomialPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& options) {

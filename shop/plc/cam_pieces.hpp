@@ -77,16 +77,17 @@ struct PolynomialPiece {
 /// c_k about another angle: s(θ + t) = Σ c_k t^k.
 [[nodiscard]] std::vector<double> polynomial_about(const PolynomialPiece& piece, double theta);
 
-/// States at an end: s, s', s''.
+/// States at an end: s, s', s'', s'''.
 struct EndState {
-    double theta = 0.0, s = 0.0, v = 0.0, a = 0.0;
+    double theta = 0.0, s = 0.0, v = 0.0, a = 0.0, j = 0.0;
 };
 [[nodiscard]] PolynomialPiece line_between(const EndState& from, const EndState& to);     ///< s
 [[nodiscard]] PolynomialPiece cubic_between(const EndState& from, const EndState& to);    ///< s and v
 [[nodiscard]] PolynomialPiece quintic_between(const EndState& from, const EndState& to);  ///< s, v and a
+[[nodiscard]] PolynomialPiece septic_between(const EndState& from, const EndState& to);   ///< and j
 
 struct FitOptions {
-    int degree = 5;                      ///< 1, 3 or 5
+    int degree = 5;                      ///< 1, 3, 5, 6 or 7
     std::optional<int> points = {};      ///< evenly over the turn, ends included; none: the breakpoints
     int most = 1000;                     ///< pieces
     double (*master)(double) = nullptr;  ///< to the next master position the controller can hold; none: all

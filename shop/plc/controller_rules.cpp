@@ -40,6 +40,15 @@ std::vector<PolynomialPiece> quintics_between_points(const PlcReading& reading) 
     return pieces_between(points, quintic_between);
 }
 
+std::vector<PolynomialPiece> septics_between_points(const PlcReading& reading) {
+    std::vector<EndState> points;
+    for (const PlcNumbers& point : reading.elements) {
+        points.push_back(state_of(point));
+        points.back().j = point.at("j");
+    }
+    return pieces_between(points, septic_between);
+}
+
 std::vector<PolynomialPiece> lines_between_points(const PlcReading& reading) {
     std::vector<EndState> points;
     for (const PlcNumbers& point : reading.elements) points.push_back({point.at("x"), point.at("s")});

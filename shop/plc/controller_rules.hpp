@@ -11,6 +11,8 @@ namespace camopt {
 
 /// {x}, {s}, {v}, {a} of points.
 [[nodiscard]] std::vector<PolynomialPiece> quintics_between_points(const PlcReading& reading);
+/// {x}, {s}, {v}, {a}, {j} of points.
+[[nodiscard]] std::vector<PolynomialPiece> septics_between_points(const PlcReading& reading);
 /// {x}, {s} of points.
 [[nodiscard]] std::vector<PolynomialPiece> lines_between_points(const PlcReading& reading);
 /// {c0}, {c1}, … of pieces with {x}, else from the end of the piece before, to {to.x}, else to the next {x}

@@ -224,10 +224,10 @@ void check_count(const PlcFormat& format, int count) {
                     format.limit_note.empty() ? "" : fmt::format(" ({})", format.limit_note), points));
 }
 
-std::string formats_that_hold_jumps() {
+std::string formats_that_hold_jumps(int order) {
     std::string keys;
     for (const PlcFormat& format : plc_formats())
-        if (format.shared == 0 && !format.straight_lines) append_item(keys, format.key);
+        if (format.shared < order && !format.straight_lines) append_item(keys, format.key);
     return keys;
 }
 
@@ -242,8 +242,9 @@ void check_jumps(const PlcFormat& format, const std::vector<PolynomialPiece>& pi
             if (std::abs(jump) <= rounding_of_joint * peaks[r].value) continue;
             throw InputError(fmt::format(
                 "--plc {}: the {} jumps at {:.6g} deg, and a point of this format has one {} for both sides; "
-                "allowed: {}",
-                format.key, derivative_names[r], theta, derivative_names[r], formats_that_hold_jumps()));
+                "allowed: {}{}",
+                format.key, derivative_names[r], theta, derivative_names[r], formats_that_hold_jumps(order),
+                order == 3 ? ", or spline.degree = 7 with spline.end_jerk = \"zero\"" : ""));
         }
     }
 }

@@ -29,7 +29,7 @@ std::vector<std::string> PlcFormat::files() const {
 PlcTable prepared_table(const MasterCurve& curve, const PlcOptions& options, const PlcFormat& format) {
     if (format.prepare) return format.prepare(curve, options, format);
     PlcTable table;
-    table.pieces = fitted_pieces(curve, {.degree = std::min(format.degree, 5),
+    table.pieces = fitted_pieces(curve, {.degree = format.degree,
                                          .points = options.points ? options.points : format.points,
                                          .most = format.most_pieces(),
                                          .master = format.master});

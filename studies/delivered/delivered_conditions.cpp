@@ -106,10 +106,13 @@ class Audit {
         }
     }
 
-    void look_at_end_jerk() {
-        if (scene_.spline.end_jerk != EndJerk::zero) return;
-        for (const auto& [x, side] : quiet_places(scene_, motion_))
-            wants({x, side}, 3, 0.0, "spline.end_jerk");
+    void look_at_rest() {
+        const char* const key = scene_.spline.rest == 3 ? "spline.end_jerk" : "spline.rest";
+        for (const RestFigure& rest : rest_figures(scene_, motion_))
+            keep({fmt::format("derivative {} = 0 at x = {:.6g} ({}): it is {:.9g}", rest.order, rest.at, key,
+                              rest.worst),
+                  rest.worst / rest.size, rest.at},
+                 3);
     }
 
     [[nodiscard]] std::vector<ConditionMiss> missed() && {
@@ -188,7 +191,7 @@ std::vector<ConditionMiss> missed_conditions(const Solution& solution, double to
         audit.look_at_ends();
     audit.look_at_set_points();
     audit.look_at_symmetry();
-    audit.look_at_end_jerk();
+    audit.look_at_rest();
     audit.look_at_strokes();
     return std::move(audit).missed();
 }

@@ -89,16 +89,15 @@ void add_symmetry(std::vector<LimitOutcome>& all, const Scene& scene, const Moti
     all.push_back(exact_point("symmetric", "motion.symmetric", 0.0, worst, at));
 }
 
-void add_end_jerk(std::vector<LimitOutcome>& all, const Scene& scene, const MotionChain& motion) {
-    if (scene.spline.end_jerk != EndJerk::zero) return;
-    double worst = 0.0, at = motion.begin();
-    for (const auto& [x, side] : quiet_places(scene, motion)) {
-        const double jerk = std::abs(motion.at(x, side).derivative[3]);
-        if (jerk <= worst) continue;
-        worst = jerk;
-        at = x;
-    }
-    all.push_back(exact_point("end_jerk", "spline.end_jerk", 0.0, worst, at));
+void add_rest(std::vector<LimitOutcome>& all, const Scene& scene, const MotionChain& motion) {
+    const bool of_jerk = scene.spline.rest == 3;
+    for (const RestFigure& rest : rest_figures(scene, motion))
+        all.push_back({{of_jerk ? "end_jerk" : fmt::format("rest_{}", rest.order),
+                        of_jerk ? "spline.end_jerk" : "spline.rest", 0.0, rest.worst, "", rest.at, true},
+                       rest.worst <= just_reached * rest.size,
+                       rest.worst,
+                       rest.size,
+                       true});
 }
 
 double finite_size(double value) {
@@ -107,6 +106,10 @@ double finite_size(double value) {
 
 }  // namespace
 
+namespace {
+
+/// x and side of every place where spline.rest holds: the ends, of a program where a spline meets a dwell or
+/// an open end.
 std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const MotionChain& motion) {
     if (scene.motion.type != MotionType::program)
         return {{motion.begin(), Side::right}, {motion.end(), Side::left}};
@@ -117,12 +120,32 @@ std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const Moti
     for (std::size_t i = 0; i < count; ++i) {
         if (segments[i].kind != SegmentKind::spline) continue;
         const ChainPart& part = motion.parts()[i];
-        const bool inner_begin = i > 0 || scene.motion.periodic();
-        const bool inner_end = i + 1 < count || scene.motion.periodic();
-        if (inner_begin && dwells(i + count - 1)) places.emplace_back(part.begin, Side::right);
-        if (inner_end && dwells(i + 1)) places.emplace_back(part.end, Side::left);
+        const bool open_begin = i == 0 && !scene.motion.periodic();
+        const bool open_end = i + 1 == count && !scene.motion.periodic();
+        if (open_begin || dwells(i + count - 1)) places.emplace_back(part.begin, Side::right);
+        if (open_end || dwells(i + 1)) places.emplace_back(part.end, Side::left);
     }
     return places;
+}
+
+}  // namespace
+
+std::vector<RestFigure> rest_figures(const Scene& scene, const MotionChain& motion) {
+    std::vector<RestFigure> figures;
+    for (int order = 3; order <= scene.spline.rest; ++order) {
+        RestFigure figure{order, 0.0, motion.begin(), 1.0};
+        for (const ChainPart& part : motion.parts())
+            if (const auto* const curve = dynamic_cast<const SplineCurve*>(part.shape.get()))
+                figure.size = std::max(figure.size, peak_of(*curve, order).value);
+        for (const auto& [x, side] : quiet_places(scene, motion)) {
+            const double found = std::abs(motion.higher_derivative(x, order, side));
+            if (std::isnan(figure.worst) || found <= figure.worst) continue;
+            figure.worst = found;
+            figure.at = x;
+        }
+        figures.push_back(figure);
+    }
+    return figures;
 }
 
 LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const ConstraintReport& reached) {
@@ -170,7 +193,7 @@ std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures&
     add_set_points(all, scene, figures.motion);
     add_ends(all, scene, figures.motion);
     add_symmetry(all, scene, figures.motion);
-    add_end_jerk(all, scene, figures.motion);
+    add_rest(all, scene, figures.motion);
     return all;
 }
 

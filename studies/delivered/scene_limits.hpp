@@ -31,10 +31,15 @@ struct MotionFigures {
 /// Limits of one side and corridors (objectives/motion_bounds.hpp), one report for each key.
 [[nodiscard]] std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion);
 
-/// x and side of every place where a scene with spline.end_jerk wants y''' = 0: the ends, of a program where
-/// a spline meets a dwell.
-[[nodiscard]] std::vector<std::pair<double, Side>> quiet_places(const Scene& scene,
-                                                                const MotionChain& motion);
+/// A derivative that spline.rest makes 0 where the motion's splines meet rest.
+struct RestFigure {
+    int order = 3;
+    double worst = 0.0, at = 0.0;  ///< its largest magnitude there, and x
+    double size = 1.0;             ///< its largest magnitude along the splines, at least 1
+};
+
+/// One for each order from 3 to spline.rest.
+[[nodiscard]] std::vector<RestFigure> rest_figures(const Scene& scene, const MotionChain& motion);
 
 /// A limit that is passed by no more than the tolerance of the solve, of its scale, is kept. `cam`: null
 /// where there is none.

@@ -111,7 +111,7 @@ Scene space_of(const Scene& scene) {
     plain.motion.via.clear();
     for (ProgramSegment& segment : plain.motion.segments) segment.via.clear();
     plain.motion.symmetric = false;
-    plain.spline.end_jerk = EndJerk::free;
+    plain.spline.rest = 2;
     plain.cam.reset();
     plain.forces.reset();
     plain.limits = {};

@@ -313,7 +313,7 @@ std::optional<Solution> solve_on_limit_curve(const PlannedRun& run, const SolveS
 
 std::vector<double> limit_breakpoints(const Scene& scene, const Peaks& reference) {
     const SplineSpec& spline = scene.spline;
-    const bool holds_the_curve = spline.smoothness() == 2 && spline.end_jerk == EndJerk::free;
+    const bool holds_the_curve = spline.smoothness() == 2 && spline.rest == 2;
     if (!holds_the_curve || !limits_peaks_alone(scene)) return {};
     const std::vector<double> switches = limit_switches(scene, reference);
     if (switches.empty()) return {};

@@ -6,10 +6,10 @@ namespace camopt {
 namespace {
 
 // Least distance of breakpoints, as a part of the mean. Cubic: two that coincide would make the acceleration
-// jump, an infinite jerk, so a weight on the jerk separates them anyway. Quintic: three would tend to
-// coincide, where the jerk may jump; but a smooth jerk is the reason for that degree, and divisions by powers
-// of the distance would lose digits.
-constexpr double least_part_cubic = 0.01, least_part_quintic = 0.1;
+// jump, an infinite jerk, so a weight on the jerk separates them anyway. Quintic and septic: three would tend
+// to coincide, where the jerk may jump; but a smooth jerk is the reason for that degree, and divisions by
+// powers of the distance would lose digits.
+constexpr double least_part_cubic = 0.01, least_part_higher = 0.1;
 // A step shifts the maxima of rules that are curved between breakpoints: it sees them at Chebyshev points of
 // every piece.
 constexpr int points_a_degree = 2;
@@ -90,7 +90,7 @@ MovingBreakpoints::MovingBreakpoints(const Scene& scene, const Peaks& reference,
     const bool symmetric = scene.motion.symmetric;
     const auto count = static_cast<Eigen::Index>(segments);
     mean_ = (start_.back() - start_.front()) / static_cast<double>(segments);
-    least_ = (scene.spline.degree == 3 ? least_part_cubic : least_part_quintic) * mean_;
+    least_ = (scene.spline.degree == 3 ? least_part_cubic : least_part_higher) * mean_;
     for (std::size_t i = 0; i < segments; ++i) least_ = std::min(least_, start_[i + 1] - start_[i]);
     const std::vector<double> held = held_breakpoints(scene);
     for (std::size_t k = 1; k <= (symmetric ? (segments - 1) / 2 : segments - 1); ++k)

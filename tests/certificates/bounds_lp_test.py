@@ -170,8 +170,9 @@ class Program:
 
     def conditions(self):
         rows, values, end = [], [], self.scene.length
-        for order in range(3):
-            rows += [self.splines.row(0.0, order), self.splines.row(end, order, True)]
+        for order in range(1 + getattr(self.scene, "rest", 2)):
+            for row in self.splines.row(0.0, order), self.splines.row(end, order, True):
+                rows.append(row if order < 3 else row / numpy.abs(row).max())
             values += [0.0, 1.0 if order == 0 and self.scene.kind == "DRD" else 0.0]
         if self.scene.kind == "RR":
             rows += [self.splines.row(1.0, 0), self.splines.row(1.0, 1)]
@@ -211,7 +212,8 @@ class RandomScene:
 
     def __init__(self, numbers, index):
         self.numbers = numbers
-        self.kind, self.degree = ("DRD", "RR")[index % 2], (3, 5)[index // 2 % 2]
+        self.kind, self.degree = ("DRD", "RR")[index % 2], (3, 5, 7)[index // 2 % 3]
+        self.rest = 2 + index // 6 % (self.degree - 2)
         self.lift, self.rise = numbers.choice((8, 12.5, 40)), numbers.choice((60, 90, 120))
         self.back = self.rise if numbers.random() < 0.5 else round(self.rise * numbers.uniform(0.8, 1.5))
         self.length = 1.0 if self.kind == "DRD" else 1.0 + self.back / self.rise
@@ -304,7 +306,7 @@ class RandomScene:
         references = ", ".join(f"{name} = {value}" for name, value in self.references.items())
         return (f'[motion]\ntype = "{self.kind}"\nlift_mm = {self.lift}\nrise_deg = {self.rise}\n{back}speed_rpm = 250\n'
                 f"within_lift = {str(self.within).lower()}\n{corridors}"
-                f"[spline]\ndegree = {self.degree}\nsegments = {self.segments}\n"
+                f"[spline]\ndegree = {self.degree}\nsegments = {self.segments}\nrest = {self.rest}\n"
                 f"[objective]\n{weights}reference = {{ {references} }}\n[limits]\n{limits}")
 
 

@@ -66,6 +66,8 @@ CURVE = '[motion]\ntype = "DRD"\n[spline]\nknots = "free"\nsegments = 8\n[object
 SPRUNG = ('[motion]\ntype = "DRD"\nlift_mm = 20\nrise_deg = 60\nspeed_rpm = 400\n[spline]\nsegments = 12\n[objective]\nacceleration = 0.5\n'
           "jerk = 0.5\n" + ROLLER + "[forces]\nmass_kg = 1\nspring_rate_n_mm = 4\npreload_n = { min = 0, max = 1000 }\n")
 
+SEPTIC = "[objective]\nvelocity = 0.4\nacceleration = 0.4\njerk = 0.2\n[spline]\ndegree = 7\nsegments = "
+
 CASES = Path(__file__).resolve().parents[1] / "cases"
 
 # Name: (scene, verdict).
@@ -82,6 +84,16 @@ TEXTS = {
     "regions": ('[motion]\ntype = "program"\nlift_deg = 360\nclosed = false\n' + SPLINE + "angle_deg = 360\nto_deg = 360\nvia = ["
                 "{ from_deg = 0, to_deg = 10, velocity_deg_deg = 0.5 }, { from_deg = 350, to_deg = 360, velocity_deg_deg = 0.5 }]\n"
                 "[spline]\ndegree = 5\nsegments = 24\n[objective]\nacceleration = 1\n", "optimal"),
+    "septic_drd": ('[motion]\ntype = "DRD"\n' + SEPTIC + "14\nrest = 5\n", "optimal"),
+    "septic_rr": ('[motion]\ntype = "RR"\nlift_mm = 10\nrise_deg = 90\nreturn_deg = 110\nvia = [{ from_deg = 30, to_deg = 40, '
+                  'velocity_mm_deg = 0.18 }]\n' + SEPTIC + '16\ncontinuity = 4\nend_jerk = "zero"\n', "optimal"),
+    "septic_program": ('[motion]\ntype = "program"\nlift_mm = 20\n' + DWELL + "angle_deg = 50\n" + SPLINE + "angle_deg = 120\nto = 1\n" +
+                       LAW + 'law = "modified_sine"\nangle_deg = 100\nto = 0.3\n' + SPLINE + "angle_deg = 90\nto = 0\n" + SEPTIC +
+                       "10\nrest = 4\n", "optimal"),
+    "septic_cam": ('[motion]\ntype = "DRD"\nlift_mm = 20\nrise_deg = 60\n' + SEPTIC + "14\nrest = 4\n" + ROLLER.replace("= 40", "= 30") +
+                   "[limits]\npressure_angle_deg = 31\n", "optimal"),
+    "septic_drive": (SLIDE + "[spline]\ndegree = 7\nsegments = 10\nrest = 4\n[objective]\nmotor_torque_rms = 1\njerk = 0.05\n[limits]\n"
+                     "motor_torque_nm = 6\n", "optimal"),
     "turning": ('[motion]\ntype = "program"\nlift_mm = 10\nclosed = false\nwithin_lift = false\n' + SPLINE + "angle_deg = 90\nto = 1\n"
                 "end = { velocity = 0 }\n" + SPLINE + "angle_deg = 60\nto = -1\n" + OBJECTIVE, "optimal"),
     "ring": (KNIFE + SPLINE + "angle_deg = 200\nto = 0.8\nvia = [{ at = 0.5, velocity_deg_deg = 0.5 }]\n" + SPLINE +
@@ -202,6 +214,10 @@ CHANGES = [
     ("ends_drd", "velocity_mm_s = 20", "velocity_mm_s = 21"), ("ends_drd", "acceleration = -1 }", "acceleration = -1.1 }"),
     ("ends_rr", "start = { velocity = -0.5 }", ""), ("ends_open", "velocity_mm_s = -10", "velocity_mm_s = -11"),
     ("regions", "to_deg = 10, velocity_deg_deg = 0.5", "to_deg = 10, velocity_deg_deg = 0.51"),
+    ("septic_drd", "rest = 5", "rest = 4"), ("septic_drd", "rest = 5", "rest = 6"), ("septic_drd", "degree = 7\n", "degree = 7\ncontinuity = 5\n"),
+    ("septic_rr", "continuity = 4", "continuity = 3"), ("septic_rr", "end_jerk = \"zero\"", "rest = 4"), ("septic_rr", "= 0.18", "= 0.181"),
+    ("septic_program", "rest = 4", "rest = 3"), ("septic_program", "rest = 4", "rest = 5"), ("septic_cam", "angle_deg = 31", "angle_deg = 30.9"),
+    ("septic_cam", "rest = 4", "rest = 3"), ("septic_drive", "load_mass_kg = 8", "load_mass_kg = 8.01"), ("septic_drive", "rest = 4", "rest = 5"),
     ("turning", "end = { velocity = 0 }", "end = { velocity = 0.1 }"), ("turning", "end = { velocity = 0 }", ""),
     ("ring", "to = 1\n", "to = 1.01\n"), ("ring", 'closed = "relative"', "closed = false"),
     ("seam", 'closed = "relative"', "closed = false"), ("seam", "min = 0.66", "min = 0.67"),

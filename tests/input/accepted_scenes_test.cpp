@@ -124,7 +124,7 @@ std::map<std::string, Get> plain_members() {
         FIELD(solver.explain_changes), FIELD(solver.explain_seconds), FIELD(solver.gap), FIELD(solver.max_seconds),
         FIELD(solver.name), FIELD(solver.options), FIELD(solver.seed), FIELD(solver.starts), FIELD(solver.tolerance),
         FIELD_AS("spline.breakpoints", spline.breakpoints.at(1)), FIELD_AS("spline.continuity", spline.smoothness()),
-        FIELD(spline.degree), FIELD(spline.design), FIELD(spline.end_jerk), FIELD(spline.free_knots), FIELD(spline.segments),
+        FIELD(spline.degree), FIELD(spline.design), FIELD(spline.rest), FIELD(spline.free_knots), FIELD(spline.segments),
         FIELD_AS("tolerance.profile", tolerance->motion.at(0)), FIELD_AS("tolerance.slope", tolerance->motion.at(1)),
         FIELD_AS("tolerance.acceleration", tolerance->motion.at(2))};
     std::map<std::string, Get> members;

@@ -26,6 +26,7 @@ OUTPUTS = {
     "lobe in inches": ("export", ["RESULT", "--lobe", "in"], []),
     "codesys": ("export", ["RESULT", "--plc", "codesys"], ["codesys.st", "codesys.txt", "plc.json"]),
     "twincat": ("export", ["RESULT", "--plc", "twincat"], ["twincat.st"]),
+    "twincat7": ("export", ["RESULT", "--plc", "twincat7"], ["twincat7.st"]),
     "siemens": ("export", ["RESULT", "--plc", "siemens"], ["siemens.scl"]),
     "br": ("export", ["RESULT", "--plc", "br"], ["br.st"]),
     "rockwell": ("export", ["RESULT", "--plc", "rockwell"], ["rockwell.st"]),
@@ -66,6 +67,8 @@ KINDS = {
     "elastic train": ([], "scenes/dynamics_fast_slide.toml", []),
     "motor": ([], "scenes/servo_drd.toml", []),
     "motor with its curve": ([], "tests/cases/servo_curve.toml", ["spline.segments=10"]),
+    "degree 7": ([], "scenes/servo_index_table.toml", []),
+    "roller at degree 7": ([], "scenes/cam_roller.toml", ["spline.degree=7", "spline.rest=4", "spline.segments=24"]),
     "laws and splines": (["law"], "scenes/cam_laws_and_splines.toml", []),
     "laws on an elastic train": ([], "tests/cases/43e_two_strokes.toml", []),
     "laws that join": ([], "tests/cases/44_eccentric.toml", []),
@@ -101,7 +104,7 @@ KINDS = {
 }
 
 CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "advancing", "swing", "measured",
-           "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve"]
+           "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve", "degree 7"]
 SPATIAL = ["barrel", "cylinder", "drum", "indexing", "given drum"]
 REMOTE = ["remote", "inverse", "given guide"]
 PLATES = ["plate", "edge on a plate", "arm over a plate", "given plate"]
@@ -114,7 +117,7 @@ MACHINES = {
     "advancing": ("scenes/machines/knife.toml", ["machine.speed_rpm=120"]),
     "three axes": ("scenes/machines/cartoner.toml", ["machine.speed_rpm=40"]),
 }
-CONTROLLERS = ["codesys", "twincat", "siemens", "br", "rockwell", "omron", "lenze", "csv"]
+CONTROLLERS = ["codesys", "twincat", "twincat7", "siemens", "br", "rockwell", "omron", "lenze", "csv"]
 
 MACHINES_REFUSED = {}
 

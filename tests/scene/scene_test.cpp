@@ -68,7 +68,7 @@ TEST(Scene, WrongMembersAreNamed) {
          "motion.via[0]: found no value; allowed: at least one of displacement, velocity, acceleration"},
         {[](Scene& s) { s.motion.via = {{.at = 0.5, .velocity = nan}}; },
          "motion.via[0].velocity: found nan; allowed: a finite number"},
-        {[](Scene& s) { s.spline.degree = 4; }, "spline.degree: found 4; allowed: 3 or 5"},
+        {[](Scene& s) { s.spline.degree = 4; }, "spline.degree: found 4; allowed: 3, 5 or 7"},
         {[](Scene& s) { s.spline.segments = 0; },
          "spline.segments: found 0; allowed: an integer from 1 to 65536"},
         {[](Scene& s) { s.spline.continuity = 3; }, "spline.continuity: found 3; allowed: 2 with degree 3"},
@@ -80,8 +80,22 @@ TEST(Scene, WrongMembersAreNamed) {
              s.spline.breakpoints = {0, 0.5, 1.1};
          },
          "spline.breakpoints[2]: found 1.1; allowed: 1, the end of the motion"},
-        {[](Scene& s) { s.spline.end_jerk = EndJerk::zero; },
-         "spline.end_jerk: found \"zero\" with degree 3; allowed: \"free\", or degree 5"},
+        {[](Scene& s) { s.spline.rest = 3; },
+         "spline.end_jerk: found \"zero\" with degree 3; allowed: \"free\", or degree 5 or 7"},
+        {[](Scene& s) { s.spline.rest = 4; },
+         "spline.rest: found 4 with degree 3; allowed: 2, or degree 5 or 7"},
+        {[](Scene& s) {
+             s.spline.degree = 5;
+             s.spline.rest = 5;
+         },
+         "spline.rest: found 5 with degree 5; allowed: an integer from 2 to 4"},
+        {[](Scene& s) { s.spline.rest = 1; },
+         "spline.rest: found 1 with degree 3; allowed: 2, or degree 5 or 7"},
+        {[](Scene& s) {
+             s.spline.degree = 7;
+             s.spline.continuity = 2;
+         },
+         "spline.continuity: found 2; allowed: an integer from 3 to 6 with degree 7"},
         {[](Scene& s) { s.objective.jerk = 0; },
          "objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
          "torque, rms_acceleration, rms_jerk, area > 0, or of a dimension of the cam that is a range"},
@@ -270,10 +284,17 @@ TEST(Scene, TheEdgesOfTheRangesAreAllowed) {
     EXPECT_EQ(message_of([](Scene& s) {
                   s.spline.degree = 5;
                   s.spline.continuity = 3;
-                  s.spline.end_jerk = EndJerk::zero;
+                  s.spline.rest = 3;
                   s.spline.design = DesignKind::states;
               }),
               "accepted");
+    for (const int least : {3, 6})
+        EXPECT_EQ(message_of([&](Scene& s) {
+                      s.spline.degree = 7;
+                      s.spline.continuity = least;
+                      s.spline.rest = 6;
+                  }),
+                  "accepted");
 }
 
 }  // namespace scene_test

@@ -46,6 +46,7 @@ TEST(DesignVector, HasTheFreedomOfThePaper) {
     for (const DesignKind kind : kinds) {
         EXPECT_EQ(DesignVector::make(rise(kind, 3, 12)).freedom(), 12 - 3) << name_of(kind);
         EXPECT_EQ(DesignVector::make(rise(kind, 5, 12)).freedom(), 12 - 1) << name_of(kind);
+        EXPECT_EQ(DesignVector::make(rise(kind, 7, 12)).freedom(), 12 + 1) << name_of(kind);
         DesignRequest symmetric = rise(kind, 3, 12);
         symmetric.symmetry = Symmetry::odd;
         EXPECT_EQ(DesignVector::make(symmetric).freedom(), 12 / 2 - 2) << name_of(kind);
@@ -55,6 +56,69 @@ TEST(DesignVector, HasTheFreedomOfThePaper) {
         EXPECT_EQ(DesignVector::make(rise(DesignKind::states, 5, 12, continuity)).freedom(), expected);
         EXPECT_EQ(DesignVector::make(rise(DesignKind::coefficients, 5, 12, continuity)).freedom(), expected);
     }
+    for (const int continuity : {3, 4, 5}) {
+        const int expected = 8 + 11 * (7 - continuity) - 6;
+        EXPECT_EQ(DesignVector::make(rise(DesignKind::states, 7, 12, continuity)).freedom(), expected);
+        EXPECT_EQ(DesignVector::make(rise(DesignKind::coefficients, 7, 12, continuity)).freedom(), expected);
+    }
+}
+
+/// C3 states have no rows: each segment is the polynomial of degree 7 with the states at its ends.
+TEST(DesignVector, SepticStatesAreDerivativesAtBreakpoints) {
+    DesignRequest request = rise(DesignKind::states, 7, 5, 3);
+    request.space = SplineSpace(7, 3, {0.0, 0.1, 0.35, 0.7, 0.82, 1.0});
+    const DesignVector design = DesignVector::make(request);
+    EXPECT_TRUE(design.equalities().empty());
+    ASSERT_EQ(design.size(), 2 + 4 * 4);
+    const Eigen::VectorXd x = admissible(design, 17);
+    const SplineCurve curve = design.curve(x);
+    for (int j = 0; j < design.size(); ++j) {
+        const double at = design.place(j);
+        for (const Side side : {Side::left, Side::right}) {
+            if ((at == 0.0 && side == Side::left) || (at == 1.0 && side == Side::right)) continue;
+            const double size = std::pow(30.0, design.order(j));
+            EXPECT_NEAR(curve.derivative(at, design.order(j), side), x[j], 1e-12 * size) << design.name(j);
+        }
+    }
+    // The states of one polynomial of degree 7 give that polynomial: y = x⁴ (35 − 84 x + 70 x² − 20 x³).
+    const SplineCurve one(SplineSpace(7, 6, {0.0, 1.0}),
+                          (Eigen::VectorXd(8) << 0, 0, 0, 0, 35, -84, 70, -20).finished());
+    Eigen::VectorXd states(design.size());
+    for (int j = 0; j < design.size(); ++j) states[j] = one.derivative(design.place(j), design.order(j));
+    const SplineCurve same = design.curve(states);
+    for (int k = 0; k <= 100; ++k) {
+        const double at = k / 100.0;
+        for (int order = 0; order < 8; ++order)
+            EXPECT_NEAR(same.derivative(at, order), one.derivative(at, order), 1e-13 * std::pow(100.0, order))
+                << at;
+    }
+}
+
+TEST(DesignVector, RestMakesHigherDerivativesZero) {
+    for (const DesignKind kind : kinds) {
+        for (const int degree : {5, 7}) {
+            for (int rest = 2; rest < degree; ++rest) {
+                SCOPED_TRACE(std::string(name_of(kind)) + " degree " + std::to_string(degree) + " rest " +
+                             std::to_string(rest));
+                DesignRequest request = rise(kind, degree, 11);
+                for (const auto& [at, side] : {std::pair(0.0, Side::right), std::pair(1.0, Side::left)})
+                    for (PointCondition& condition : rest_conditions(at, side, rest))
+                        request.conditions.push_back(std::move(condition));
+                const DesignVector design = DesignVector::make(request);
+                EXPECT_TRUE(design.contradictions().empty());
+                EXPECT_EQ(design.freedom(), degree + 11 - 6 - 2 * (rest - 2));
+                const SplineCurve curve = design.curve(admissible(design, 3));
+                for (int order = 3; order < degree; ++order) {
+                    const double size = peak_of(curve, order).value;
+                    for (const double end :
+                         {curve.derivative(0.0, order), curve.derivative(1.0, order, Side::left)})
+                        EXPECT_EQ(std::abs(end) < 1e-8 * size, order <= rest) << order << ": " << end;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(rest_conditions(0.0, Side::right, 3).front().name, "spline.end_jerk at x = 0");
+    EXPECT_EQ(rest_conditions(1.5, Side::left, 4).back().name, "spline.rest at x = 1.5");
 }
 
 TEST(DesignVector, ReportsThePapersFreeOrdinates) {
@@ -63,6 +127,10 @@ TEST(DesignVector, ReportsThePapersFreeOrdinates) {
     request.symmetry = Symmetry::odd;
     EXPECT_EQ(DesignVector::make(request).reported_entries(), (std::vector<int>{0, 1, 2, 3}));
     EXPECT_EQ(DesignVector::make(rise(DesignKind::ordinates, 5, 12)).reported_entries().size(), 11u);
+    const DesignVector septic = DesignVector::make(rise(DesignKind::ordinates, 7, 12));
+    EXPECT_EQ(septic.reported_entries().size(), 13u);
+    EXPECT_EQ(septic.name(0), "y'''[0]");
+    EXPECT_EQ(septic.name(12), "y'''[12]");
 }
 
 TEST(DesignVector, SixSegmentsFollowThePapersRelation) {
@@ -78,7 +146,7 @@ TEST(DesignVector, SixSegmentsFollowThePapersRelation) {
 
 TEST(DesignVector, CurvesMeetEndStatesAndContinuity) {
     for (const DesignKind kind : kinds) {
-        for (const int degree : {3, 5}) {
+        for (const int degree : {3, 5, 7}) {
             const DesignVector design = DesignVector::make(rise(kind, degree, 9));
             const SplineCurve curve = design.curve(admissible(design, 3));
             const MotionPoint begin = curve.at(0.0);
@@ -179,7 +247,7 @@ TEST(DesignVector, UnevenQuinticsEndAtRest) {
 
 TEST(DesignVector, FunctionalsAreTheCurvesDerivatives) {
     for (const DesignKind kind : kinds) {
-        for (const int degree : {3, 5}) {
+        for (const int degree : {3, 5, 7}) {
             const DesignVector design = DesignVector::make(rise(kind, degree, 7));
             const Eigen::VectorXd x = admissible(design, 11);
             const SplineCurve curve = design.curve(x);
@@ -197,7 +265,7 @@ TEST(DesignVector, FunctionalsAreTheCurvesDerivatives) {
 }
 
 TEST(DesignVector, FormsExchangeCurves) {
-    for (const int degree : {3, 5}) {
+    for (const int degree : {3, 5, 7}) {
         const DesignVector states = DesignVector::make(rise(DesignKind::states, degree, 8));
         const SplineCurve curve = states.curve(admissible(states, 5));
         for (const DesignKind kind : kinds) {
@@ -213,9 +281,10 @@ TEST(DesignVector, FormsExchangeCurves) {
 
 TEST(DesignVector, EqualitiesAreIndependentInEveryForm) {
     for (const DesignKind kind : kinds) {
-        for (const int degree : {3, 5}) {
+        for (const int degree : {3, 5, 7}) {
             for (int continuity = 2; continuity < degree; ++continuity) {
                 if (kind == DesignKind::ordinates && continuity != degree - 1) continue;
+                if (kind == DesignKind::states && degree == 7 && continuity == 2) continue;
                 for (const int segments : {6, 7, 8, 9}) {
                     for (const Symmetry symmetry : {Symmetry::none, Symmetry::odd, Symmetry::even}) {
                         SCOPED_TRACE(std::string(name_of(kind)) + " degree " + std::to_string(degree) + " C" +
@@ -309,12 +378,21 @@ TEST(DesignVector, TooFewSegmentsContradictTheEnds) {
         EXPECT_FALSE(DesignVector::make(rise(kind, 3, 1)).contradictions().empty()) << name_of(kind);
         EXPECT_TRUE(DesignVector::make(rise(kind, 3, 3)).contradictions().empty()) << name_of(kind);
         EXPECT_TRUE(DesignVector::make(rise(kind, 5, 1)).contradictions().empty()) << name_of(kind);
+        // Rest of order 6 leaves nothing of seven segments: they have 14 numbers and 14 conditions.
+        for (const auto& [segments, crowded] : {std::pair(6, true), std::pair(7, false)}) {
+            DesignRequest request = rise(kind, 7, segments);
+            for (const auto& [at, side] : {std::pair(0.0, Side::right), std::pair(1.0, Side::left)})
+                for (PointCondition& condition : rest_conditions(at, side, 6))
+                    request.conditions.push_back(std::move(condition));
+            EXPECT_EQ(!DesignVector::make(request).contradictions().empty(), crowded)
+                << name_of(kind) << segments;
+        }
     }
 }
 
 TEST(DesignVector, RefusesFormsNotSpanningSpace) {
     EXPECT_EQ(refusal([&] { (void)DesignVector::make(rise(DesignKind::ordinates, 5, 8, 3)); }),
-              "design \"ordinates\": found degree 5 with continuity 3; allowed: degree 3 or 5 with "
+              "design \"ordinates\": found degree 5 with continuity 3; allowed: degree 3, 5 or 7 with "
               "continuity degree − 1 (the ordinates alone do not fix a rougher spline)");
     DesignRequest lopsided{SplineSpace(3, 2, {0.0, 0.2, 0.5, 0.6, 1.0}),
                            DesignKind::states,
@@ -336,7 +414,7 @@ QuadraticForm mean_square_form(const DesignVector& design, int order) {
 
 TEST(Gram, IsTheIntegralOfTheSquare) {
     for (const DesignKind kind : kinds) {
-        for (const int degree : {3, 5}) {
+        for (const int degree : {3, 5, 7}) {
             const DesignVector design = DesignVector::make(rise(kind, degree, 6));
             const Eigen::VectorXd x = admissible(design, 9);
             const SplineCurve curve = design.curve(x);

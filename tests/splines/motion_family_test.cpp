@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace camopt {
@@ -62,7 +63,7 @@ Eigen::VectorXd admissible(const MotionFamily& family, unsigned seed) {
 
 std::vector<FamilyRequest> requests() {
     std::vector<FamilyRequest> all;
-    for (const int degree : {3, 5}) {
+    for (const int degree : {3, 5, 7}) {
         for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients}) {
             FamilyRequest request{degree, degree - 1, kind, {}, true, false};
             // A run across the end, a given displacement inside a run, a shape with a free beginning.
@@ -152,6 +153,30 @@ TEST(MotionFamily, RefusesDisplacementsThatContradict) {
     request.stretches.clear();
     EXPECT_EQ(refusal([&] { (void)MotionFamily::make(request); }),
               "a family of motions: found no stretch; allowed: one or more");
+}
+
+TEST(MotionFamily, RestHoldsNextToDwells) {
+    FamilyRequest request{7, 6, DesignKind::states, {}, false, false};
+    request.stretches = {spline(0, 1, 10, 1.0), dwell(1, 1.5), spline(1.5, 2.5, 10, 0.0), shape(2.5, 3, 0.3),
+                         spline(3, 4, 10, 0.5)};
+    request.rest = 4;
+    const MotionFamily family = MotionFamily::make(request);
+    const MotionChain motion = family.motion(admissible(family, 5));
+    const std::map<double, std::array<bool, 2>> rests = {{0.0, {true, true}},  {1.0, {true, true}},
+                                                         {1.5, {true, true}},  {2.5, {false, true}},
+                                                         {3.0, {true, false}}, {4.0, {true, true}}};
+    for (const auto& [x, sides] : rests) {
+        for (const Side side : {Side::left, Side::right}) {
+            if (x == 2.5 && side == Side::right) continue;  // of the shape
+            if (x == 3.0 && side == Side::left) continue;
+            const bool rest = sides[side == Side::left ? 0 : 1];
+            EXPECT_EQ(std::abs(motion.at(x, side).derivative[3]) < 1e-7, rest) << x;
+            EXPECT_EQ(std::abs(motion.higher_derivative(x, 4, side)) < 1e-5, rest) << x;
+        }
+    }
+    EXPECT_NEAR(motion.higher_derivative(2.5, 3, Side::right), 0.3 * 60 / 0.125, 1e-9);
+    EXPECT_TRUE(std::isnan(motion.higher_derivative(2.7, 4, Side::right)));
+    EXPECT_EQ(motion.higher_derivative(1.2, 5, Side::right), 0.0);
 }
 
 /// A run across the end is shifted there and back: by the last digit its pieces ended in the shape behind.

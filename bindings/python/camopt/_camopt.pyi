@@ -218,7 +218,7 @@ class Relaxation:
 class Spline:
     """The motion as one spline over x. See Solution.bspline."""
     @property
-    def degree(self) -> int: """3 or 5."""
+    def degree(self) -> int: """3, 5 or 7."""
     @property
     def continuity(self) -> int: """The highest continuous derivative."""
     @property
@@ -340,9 +340,9 @@ class Solution:
         """STEP, as text, mm: a disk cam as a solid, the flanks of a three-dimensional cam as surfaces. Options bore_mm,
         thickness_mm. Raises UnavailableError in a build without Open CASCADE."""
     def plc(self, controller: str, **options: _Option) -> str:
-        """The motion as an electronic cam, as text: of "codesys", "twincat", "siemens", "br", "rockwell", "omron",
-        "lenze" or "csv". Master in deg, slave in mm or deg. Option points: evenly over the revolution; default: the joints of
-        the motion."""
+        """The motion as an electronic cam, as text: of "codesys", "twincat", "twincat7", "siemens", "br", "rockwell",
+        "omron", "lenze" or "csv". Master in deg, slave in mm or deg. Option points: evenly over the revolution; default: the
+        joints of the motion."""
     def report(self, format: str = "md") -> str:
         """The report as text: "md" is report.md, Markdown, "html" is report.html, a page that needs nothing else."""
 

@@ -125,7 +125,8 @@ void add_files(py::class_<SolvedScene>& type) {
                 return text(s, name, options);
             },
             py::arg("controller"),
-            "The motion as an electronic cam, as text: of \"codesys\", \"twincat\", \"siemens\", \"br\", "
+            "The motion as an electronic cam, as text: of \"codesys\", \"twincat\", \"twincat7\", "
+            "\"siemens\", \"br\", "
             "\"rockwell\", \"omron\",\n\"lenze\" or \"csv\". Master in deg, slave in mm or deg. Option "
             "points: evenly over the revolution; default: the joints of\nthe motion.")
         .def("report", &report, py::arg("format") = "md",

@@ -186,7 +186,7 @@ void add_rows(py::module_& module) {
         .def_readonly("also", &Relaxation::also, "What changes along with it: a list of CompanionChange.")
         .def("__repr__", [](const Relaxation& row) { return relaxation_sentence(row); });
     py::class_<SplineCurve>(module, "Spline", "The motion as one spline over x. See Solution.bspline.")
-        .def_property_readonly("degree", &SplineCurve::degree, "3 or 5.")
+        .def_property_readonly("degree", &SplineCurve::degree, "3, 5 or 7.")
         .def_property_readonly("continuity", &SplineCurve::continuity, "The highest continuous derivative.")
         .def_property_readonly(
             "breakpoints",

@@ -64,7 +64,7 @@ TEST(CScene, RefusalKeepsSceneAndFileWording) {
     camopt_scene* const s = scene.get();
     const double one = 0.5;
     EXPECT_EQ(camopt_set_number(s, "spline.degree", 4), CAMOPT_ERROR_INPUT);
-    EXPECT_STREQ(error_words(), "spline.degree: found 4; allowed: 3 or 5");
+    EXPECT_STREQ(error_words(), "spline.degree: found 4; allowed: 3, 5 or 7");
     EXPECT_EQ(camopt_set_number(s, "limits.velocty", 1), CAMOPT_ERROR_INPUT);
     EXPECT_NE(std::string_view(error_words()).find("did you mean"), std::string_view::npos) << error_words();
     EXPECT_EQ(camopt_set_number(s, "limits.velocity_mm_s", 300), CAMOPT_ERROR_INPUT);

@@ -77,7 +77,7 @@ TEST(SceneDocument, RefusesInSceneFileWording) {
     const auto set = [&](const std::string& key, const SceneValue& value) {
         return refused(document, [&] { document.set(key, value); });
     };
-    EXPECT_EQ(set("spline.degree", 4), "spline.degree: found 4; allowed: 3 or 5");
+    EXPECT_EQ(set("spline.degree", 4), "spline.degree: found 4; allowed: 3, 5 or 7");
     EXPECT_TRUE(says(set("spline.segmnts", 4), "did you mean 'segments'?"));
     EXPECT_TRUE(says(set("spline.segments", 4.5), "spline.segments: found 4.5; allowed: "));
     EXPECT_TRUE(says(set("motion.lift_mm", std::nan("")), "found nan; allowed: "));

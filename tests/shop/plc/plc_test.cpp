@@ -24,6 +24,31 @@ PlcTable table_of(const PlcFormat& format, const MasterCurve& curve, const PlcOp
     return prepared_table(curve, options, format);
 }
 
+/// The sample's rise as y = x⁴ (35 − 84 x + 70 x² − 20 x³), which ends without jerk.
+Solution septic_solution() {
+    Solution solution = test::sample_solution();
+    solution.scene.spline.degree = 7;
+    solution.scene.spline.segments = 1;
+    solution.curve = SplineCurve(SplineSpace(7, 6, {0.0, 1.0}),
+                                 (Eigen::VectorXd(8) << 0, 0, 0, 0, 35, -84, 70, -20).finished());
+    solution.motion = std::make_shared<MotionChain>(std::vector<ChainPart>{
+        {0.0, 1.0, std::make_shared<SplineCurve>(*solution.curve), 0.0, 1.0, 0.0, 1.0}});
+    return solution;
+}
+
+/// A motion that the format holds: points with one jerk for both sides do not hold the sample's.
+Solution solution_for(const PlcFormat& format) {
+    return format.shared == 3 ? septic_solution() : test::sample_solution();
+}
+
+/// Of the formats that hold any motion but jumps of the acceleration.
+std::vector<std::string> keys_of_jumping_jerk() {
+    std::vector<std::string> keys;
+    for (const PlcFormat& format : plc_formats())
+        if (format.shared < 3) keys.push_back(format.key);
+    return keys;
+}
+
 TEST(MasterCurve, CoversCycleInMachineUnits) {
     // Four cubic segments over 90 deg, 10 mm: y''' = ±32, so V = 2 at the middle of the rise.
     const MasterCurve curve = curve_of(test::sample_solution());
@@ -81,7 +106,7 @@ TEST(CamPieces, FitsLawsToTheTolerance) {
 }
 
 TEST(PlcFormats, HaveRowsThatAreComplete) {
-    ASSERT_EQ(plc_formats().size(), 8U);
+    ASSERT_EQ(plc_formats().size(), 9U);
     for (const PlcFormat& format : plc_formats()) {
         SCOPED_TRACE(format.key);
         EXPECT_EQ(&plc_format(format.key), &format);
@@ -90,13 +115,14 @@ TEST(PlcFormats, HaveRowsThatAreComplete) {
         EXPECT_EQ(format.limit.has_value(), !format.limit_words.empty());
     }
     EXPECT_EQ(refusal([] { (void)plc_format("bosch"); }),
-              "--plc: found \"bosch\"; allowed: codesys, twincat, siemens, br, rockwell, omron, lenze, csv");
+              "--plc: found \"bosch\"; allowed: codesys, twincat, twincat7, siemens, br, rockwell, omron, "
+              "lenze, csv");
 }
 
 TEST(PlcFormats, NoticeASpoiledFile) {
-    const MasterCurve curve = curve_of(test::sample_solution());
     for (const PlcFormat& format : plc_formats()) {
         SCOPED_TRACE(format.key);
+        const MasterCurve curve = curve_of(solution_for(format));
         const PlcTable table = table_of(format, curve);
         const std::string text = written_file(format, format.file, table);
         const double good =
@@ -118,7 +144,7 @@ TEST(PlcFormats, NoticeASpoiledFile) {
 }
 
 std::string sample_file(const PlcFormat& format, const std::string& file, PlcTable& table, int points) {
-    table = table_of(format, curve_of(test::sample_solution()), {.points = points});
+    table = table_of(format, curve_of(solution_for(format)), {.points = points});
     return written_file(format, file, table);
 }
 
@@ -165,6 +191,9 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"twincat", "POLYNOM5_MM", "POLYNOM3",
                 "line 7 of twincat: found \"Points[1].FunctionType := MOTIONFUNCTYPE_POLYNOM3\"; allowed: "
                 "Points[1].FunctionType := MOTIONFUNCTYPE_POLYNOM5_MM"},
+        Spoiled{"twincat7", "POLYNOM7_MM", "POLYNOM7",
+                "line 7 of twincat7: found \"Points[1].FunctionType := MOTIONFUNCTYPE_POLYNOM7\"; allowed: "
+                "Points[1].FunctionType := MOTIONFUNCTYPE_POLYNOM7_MM"},
         Spoiled{"codesys", "SMC_CAMXYVA", "SMC_CAMXYV",
                 "line 3 of codesys: found \"Points : ARRAY[0..4] OF SMC_CAMXYV\"; allowed: Points : "
                 "ARRAY[0..4] OF SMC_CAMXYVA"},
@@ -188,14 +217,14 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"lenze", "360.0 10.0\n", "360.0 10.0 5.0\n",
                 "line 5 of lenze: found \"360.0 10.0 5.0\"; allowed: {x} {s}"},
         Spoiled{"csv", "c4,c5", "c5,c4",
-                "line 1 of csv: found \"from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c5,c4\"; "
-                "allowed: from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c4,c5"}),
+                "line 1 of csv: found \"from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c5,c4,c6,c7\"; "
+                "allowed: from_deg,to_deg,s,v,a,j,c0,c1,c2,c3,c4,c5,c6,c7"}),
     [](const auto& one) { return one.param.format + std::to_string(one.index); });
 
 TEST(PlcExport, StatedLossIsUpperBound) {
     const Solution solution = test::program_solution();
     const MasterCurve curve = curve_of(solution);
-    const PlcExport exported = plc_export(solution, plc_format_keys(), {});
+    const PlcExport exported = plc_export(solution, keys_of_jumping_jerk(), {});
     ASSERT_EQ(exported.results.size(), 8U);
     for (const PlcResult& result : exported.results) {
         SCOPED_TRACE(result.format->key);
@@ -233,7 +262,7 @@ TEST(PlcExport, ReportsAccumulationPerCycle) {
 TEST(PlcExport, FilesAreAscii) {
     Solution solution = test::sample_solution();
     solution.scene.title = "Stößel\n// (* 10² *)";
-    const PlcExport exported = plc_export(solution, plc_format_keys(), {});
+    const PlcExport exported = plc_export(solution, keys_of_jumping_jerk(), {});
     for (const FolderFile& file : exported.files) {
         if (file.name.ends_with(".json")) continue;
         EXPECT_TRUE(std::ranges::all_of(file.text, [](char c) {
@@ -243,8 +272,20 @@ TEST(PlcExport, FilesAreAscii) {
     EXPECT_NE(exported.files[0].text.find("// St??el // (* 10^2 *)\n"), std::string::npos);
 }
 
+TEST(PlcExport, SomeFormatsHoldDegreeSeven) {
+    for (const PlcResult& result : plc_export(septic_solution(), plc_format_keys(), {}).results) {
+        EXPECT_EQ(result.lossless, result.format->degree == 7) << result.format->key;
+        EXPECT_LE(result.of_peak[0], result.format->straight_lines ? 1e-3 : 1e-5) << result.format->key;
+    }
+}
+
 TEST(PlcExport, RefusesByName) {
     const Solution solution = test::sample_solution();
+    EXPECT_EQ(
+        refusal([&] { (void)plc_export(solution, {"twincat7"}, {}); }),
+        "--plc twincat7: the jerk jumps at 22.5 deg, and a point of this format has one jerk for both sides; "
+        "allowed: codesys, twincat, siemens, br, rockwell, csv, or spline.degree = 7 with spline.end_jerk = "
+        "\"zero\"");
     EXPECT_TRUE(testing_support::says(
         refusal([&] { (void)plc_export(solution, {"siemens"}, {.points = 100}); }),
         "--plc siemens: 99 segments, a technology object TO_Cam holds 50; allowed: --points 51 or fewer"));

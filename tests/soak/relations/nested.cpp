@@ -48,7 +48,7 @@ Finding compare_smoothness(Trial& trial) {
     if (numbers.degree == 3) {
         spline.set("degree", "5");
         spline.set("continuity", "2");
-    } else if (numbers.continuity > 2) {
+    } else if (numbers.continuity > (numbers.degree == 7 ? 3 : 2)) {
         spline.set("continuity", std::to_string(numbers.continuity - 1));
     } else {
         return no_case;

@@ -168,7 +168,7 @@ void draw_program(Draw& draw, SceneText& scene) {
 void draw_spline(Draw& draw, SceneText& scene, int most_segments) {
     SceneTable& spline = scene.at("spline");
     const bool program = scene.word("motion", "type", "") == "program";
-    const int degree = draw.chance(0.6) ? 3 : 5;
+    const int degree = draw.chance(0.6) ? 3 : draw.chance(0.75) ? 5 : 7;
     int segments = draw.whole(program ? 3 : 4, program ? most_segments / 2 : most_segments);
     if (draw.chance(0.1)) segments = draw.whole(1, 3);
     if (draw.chance(0.08) && !program) segments *= 3;
@@ -182,8 +182,9 @@ void draw_spline(Draw& draw, SceneText& scene, int most_segments) {
     } else {
         spline.set("segments", std::to_string(segments));
     }
-    if (degree == 5 && draw.chance(0.4)) spline.set("continuity", std::to_string(draw.whole(2, 4)));
-    if (degree == 5 && draw.chance(0.15)) spline.set("end_jerk", quoted("zero"));
+    if (degree >= 5 && draw.chance(0.4))
+        spline.set("continuity", std::to_string(draw.whole(degree == 7 ? 3 : 2, degree - 1)));
+    if (degree >= 5 && draw.chance(0.15)) spline.set("end_jerk", quoted("zero"));
     const bool whole = numbers_of(scene).continuity == degree - 1;
     const std::string design =
         draw.one_of<std::string>({"auto", "auto", "states", "coefficients", whole ? "ordinates" : "states"});

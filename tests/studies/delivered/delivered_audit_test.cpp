@@ -142,7 +142,7 @@ TEST(DeliveredAudit, EveryConditionIsChecked) {
                   }),
                   "condition_not_met");
     expect_failed(with([](Scene& scene) { scene.motion.via = {{0.25, {}, {}, 0.0}}; }), "condition_not_met");
-    expect_failed(with([](Scene& scene) { scene.spline.end_jerk = EndJerk::zero; }), "condition_not_met");
+    expect_failed(with([](Scene& scene) { scene.spline.rest = 3; }), "condition_not_met");
     Solution bent =
         solve(scene_named("drd_cubic_12").with("motion.via = [{ at = 0.5, displacement = 0.6 }]"));
     ASSERT_EQ(bent.certificate.verdict, Verdict::optimal);

@@ -16,6 +16,7 @@ struct Optimum {
     int degree, segments;
     double objective;
     double digits;  ///< relative accuracy of the printed figure
+    int rest = 2;
 };
 
 constexpr MotionType drd = MotionType::drd;
@@ -23,23 +24,46 @@ constexpr MotionType rr = MotionType::rr;
 
 const std::vector<Optimum>& optima() {
     static const std::vector<Optimum> table = {
-        {drd, 3, 4, 1.125961, 5e-7},       {drd, 3, 6, 0.992889664, 1e-9},
-        {drd, 3, 8, 0.963991515, 1e-9},    {drd, 3, 10, 0.941666978, 1e-9},
-        {drd, 3, 12, 0.940489277, 1e-9},   {drd, 3, 14, 0.950998, 1e-6},
-        {drd, 3, 16, 0.947449535, 1e-9},   {drd, 3, 32, 0.938020776, 1e-9},
-        {drd, 3, 64, 0.937411870, 1e-9},   {drd, 5, 8, 0.981910672, 1.1e-8},
-        {drd, 5, 12, 0.957101375, 1.1e-8}, {drd, 5, 16, 0.953251487, 1.1e-8},
-        {drd, 5, 24, 0.946894763, 1.1e-8}, {drd, 5, 32, 0.940832852, 1.1e-8},
-        {drd, 5, 64, 0.938201615, 1.1e-8}, {rr, 3, 16, 0.864227617, 1e-9},
-        {rr, 3, 24, 0.856144381, 1e-9},    {rr, 3, 32, 0.855556437, 1e-9},
-        {rr, 3, 64, 0.853505489, 1e-9},    {rr, 3, 96, 0.852675861, 1e-9},
+        {drd, 3, 4, 1.125961, 5e-7},
+        {drd, 3, 6, 0.992889664, 1e-9},
+        {drd, 3, 8, 0.963991515, 1e-9},
+        {drd, 3, 10, 0.941666978, 1e-9},
+        {drd, 3, 12, 0.940489277, 1e-9},
+        {drd, 3, 14, 0.950998, 1e-6},
+        {drd, 3, 16, 0.947449535, 1e-9},
+        {drd, 3, 32, 0.938020776, 1e-9},
+        {drd, 3, 64, 0.937411870, 1e-9},
+        {drd, 5, 8, 0.981910672, 1.1e-8},
+        {drd, 5, 12, 0.957101375, 1.1e-8},
+        {drd, 5, 16, 0.953251487, 1.1e-8},
+        {drd, 5, 24, 0.946894763, 1.1e-8},
+        {drd, 5, 32, 0.940832852, 1.1e-8},
+        {drd, 5, 64, 0.938201615, 1.1e-8},
+        {rr, 3, 16, 0.864227617, 1e-9},
+        {rr, 3, 24, 0.856144381, 1e-9},
+        {rr, 3, 32, 0.855556437, 1e-9},
+        {rr, 3, 64, 0.853505489, 1e-9},
+        {rr, 3, 96, 0.852675861, 1e-9},
+        // Of an output whose cam is s = y + y'' / w²: its s'' is continuous.
+        {drd, 5, 24, 1.0882080541, 2e-8, 4},
+        // HiGHS on the splines of tests/certificates/bounds_lp_test.py.
+        {drd, 7, 8, 0.98192029, 2e-8},
+        {drd, 7, 12, 0.95444375, 2e-8},
+        {drd, 7, 24, 0.94644640, 2e-8},
+        {drd, 7, 12, 1.00038047, 2e-8, 3},
+        {drd, 7, 12, 1.06949248, 2e-8, 4},
+        {drd, 7, 12, 1.22522232, 2e-8, 5},
+        {drd, 7, 12, 1.66806501, 2e-8, 6},
+        {drd, 7, 24, 1.01122006, 2e-8, 4},
+        {rr, 7, 16, 0.87143853, 2e-8},
+        {rr, 7, 16, 0.94007774, 2e-8, 4},
     };
     return table;
 }
 
 std::string name_of_case(const Optimum& optimum) {
     return std::string(name_of(optimum.type)) + "_degree" + std::to_string(optimum.degree) + "_n" +
-           std::to_string(optimum.segments);
+           std::to_string(optimum.segments) + "_rest" + std::to_string(optimum.rest);
 }
 
 class ExactOptima : public testing::TestWithParam<std::string> {};
@@ -52,6 +76,7 @@ TEST_P(ExactOptima, AreFoundAndProved) {
         if (sequential && optimum.segments > 20) continue;  // dense and O(n³): promised to n = 20
         SCOPED_TRACE(name_of_case(optimum));
         Scene scene = paper_objective(optimum.type, optimum.degree, optimum.segments);
+        scene.spline.rest = optimum.rest;
         scene.solver.name = GetParam();
         const Solution solution = solve(scene);
         ASSERT_TRUE(solution.curve) << solution.certificate.reason;
@@ -73,6 +98,22 @@ INSTANTIATE_TEST_SUITE_P(Backends, ExactOptima, testing::Values("auto", "structu
                              std::ranges::replace(name, '.', '_');
                              return name;
                          });
+
+TEST(ExactOptima, DesignVectorsShareSepticOptimum) {
+    for (const int rest : {2, 4}) {
+        std::vector<double> found;
+        for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates}) {
+            Scene scene = paper_objective(drd, 7, 12);
+            scene.spline.rest = rest;
+            scene.spline.design = kind;
+            const Solution solution = solve(scene);
+            EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << name_of(kind);
+            found.push_back(solution.certificate.objective);
+        }
+        EXPECT_NEAR(found[1], found[0], 1e-9 * found[0]) << rest;
+        EXPECT_NEAR(found[2], found[0], 1e-9 * found[0]) << rest;
+    }
+}
 
 TEST(ExactOptima, LongCurvesNeedFewIterations) {
     // Steps alone leave a dual residual of 1e-9 here, from a warm start and from a cold one: it is removed

@@ -28,13 +28,14 @@ Scene random_scene(int number) {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const auto between = [&](double low, double high) { return low + (high - low) * unit(random); };
     const MotionType type = number % 4 == 3 ? MotionType::rr : MotionType::drd;
-    const int degree = number % 3 == 2 ? 5 : 3;
+    const int degree = number % 3 != 2 ? 3 : number % 4 == 3 ? 7 : 5;
     Scene scene = paper_objective(type, degree, 8 + static_cast<int>(7.0 * unit(random)));
     scene.objective.velocity = number % 7 == 0 ? 0.0 : unit(random);
     scene.objective.acceleration = number % 7 == 1 ? 0.0 : unit(random);
     scene.objective.jerk = number % 7 == 2 ? 0.0 : unit(random);
     if (degree == 5 && number % 2 == 0) scene.spline.continuity = 2 + number % 3;
-    if (degree == 5 && number % 5 == 0) scene.spline.end_jerk = EndJerk::zero;
+    if (degree == 7 && number % 8 == 7) scene.spline.continuity = 4;
+    if (degree >= 5 && number % 5 == 0) scene.spline.rest = 3;
     if (type == MotionType::rr) scene.motion.return_angle = scene.motion.rise * between(0.6, 0.99);
     if (number % 3 == 0) scene.limits.velocity = normalised_limit("limits.velocity", between(1.5, 2.3));
     if (number % 4 == 0)
@@ -66,7 +67,7 @@ double worst_violation(const Solution& solution) {
         equal(1.0, 0, 1.0, 1.0);
         equal(1.0, 1, 0.0, scale[1]);
     }
-    if (scene.spline.end_jerk == EndJerk::zero) {
+    if (scene.spline.rest == 3) {
         equal(0.0, 3, 0.0, scale[3]);
         equal(length, 3, 0.0, scale[3]);
     }

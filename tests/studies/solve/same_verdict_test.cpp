@@ -89,7 +89,7 @@ Scene random_scene(unsigned seed) {
         scene.motion.via = {{at, dice.uniform(0.3, 1.2) * at, {}, {}}};
     }
     if (dice.one_in(8)) scene.motion.via.push_back({0.5, {}, dice.uniform(0.8, 2.0), {}});
-    if (dice.one_in(10) && scene.spline.degree == 5) scene.spline.end_jerk = EndJerk::zero;
+    if (dice.one_in(10) && scene.spline.degree == 5) scene.spline.rest = 3;
     scene.spline.design = DesignKind::states;
     while (dice.one_in(2)) add_cap(dice, scene);
     return scene;
