@@ -3,8 +3,9 @@
 //
 //   M ẍ + C ẋ + K x = k_1 y e_1 + c_1 ẏ e_1 − P e_n.
 //
-// C has the dampers of the stages and one from the output to ground. Masses 1 … n from cam to output. The deviation of x from its static position s y − u P is
-// e = x − s y + u P, where K s = k_1 e_1 and K u = e_n; without a return spring s = 1.
+// C has the dampers of the stages and one from the output to ground. Masses 1 … n from cam to output. The
+// deviation of x from its static position s y − u P is e = x − s y + u P, where K s = k_1 e_1 and K u = e_n;
+// without a return spring s = 1.
 #pragma once
 
 #include "scene/dynamics_spec.hpp"
@@ -14,9 +15,9 @@ namespace camopt {
 struct LinearTrain {
     std::vector<TrainStage> stages;  ///< the output last
     double return_stiffness = 0.0, preload = 0.0;
-    double ground_damping = 0.0;     ///< of the output
-    Eigen::VectorXd share;       ///< s: how far each mass follows y at rest
-    Eigen::VectorXd compliance;  ///< u: m/N for a force on the output
+    double ground_damping = 0.0;  ///< of the output
+    Eigen::VectorXd share;        ///< s: how far each mass follows y at rest
+    Eigen::VectorXd compliance;   ///< u: m/N for a force on the output
 
     [[nodiscard]] int masses() const { return static_cast<int>(stages.size()); }
     /// B: rows Σ_j B_ij x_j = elongation of spring i for y = 0; with a return spring one more. Each row times

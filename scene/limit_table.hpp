@@ -31,9 +31,7 @@ struct PeakLimitRow {
     /// Of the derivative: 1 velocity, 2 acceleration, 3 jerk.
     [[nodiscard]] int order() const { return cost_term(figure).measured.order; }
     [[nodiscard]] std::optional<PeakLimit>& in(LimitSpec& limits) const { return limits.*limit; }
-    [[nodiscard]] const std::optional<PeakLimit>& in(const LimitSpec& limits) const {
-        return limits.*limit;
-    }
+    [[nodiscard]] const std::optional<PeakLimit>& in(const LimitSpec& limits) const { return limits.*limit; }
 };
 
 /// Of the motion: those of both sides by order, then those of one side; then the cam's in the same order.

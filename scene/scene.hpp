@@ -427,9 +427,11 @@ struct Scene {
 
     /// The spline is the motion of the output of an elastic train, and the cam gives what that needs.
     [[nodiscard]] bool prescribes_output() const { return dynamics && dynamics->prescribes_output(); }
-    /// The highest derivative that is 0 where a spline meets rest. Of a prescribed output at least 4: the cam's
-    /// acceleration has the fourth in it.
-    [[nodiscard]] int rest_order() const { return prescribes_output() ? std::max(spline.rest, 4) : spline.rest; }
+    /// The highest derivative that is 0 where a spline meets rest. Of a prescribed output at least 4: the
+    /// cam's acceleration has the fourth in it.
+    [[nodiscard]] int rest_order() const {
+        return prescribes_output() ? std::max(spline.rest, 4) : spline.rest;
+    }
     /// As the scene is written; of a number that it leaves out, or without a file: `otherwise`.
     [[nodiscard]] Spelling spelling_of(const std::string& key, const Spelling& otherwise) const {
         const auto known = written.find(key);

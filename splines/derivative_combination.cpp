@@ -62,8 +62,9 @@ LocalMap combined(LocalMap map, const DerivativeCombination& of) {
 SplineSpace combined(const SplineSpace& space, const DerivativeCombination& of) {
     const int continuity = space.continuity() - of.highest_order();
     if (continuity < 0)
-        throw InputError(fmt::format("the output of a train: found a spline of continuity {}; allowed: {} or more",
-                                     space.continuity(), of.highest_order()));
+        throw InputError(
+            fmt::format("the output of a train: found a spline of continuity {}; allowed: {} or more",
+                        space.continuity(), of.highest_order()));
     return {space.degree(), continuity, space.breakpoints()};
 }
 

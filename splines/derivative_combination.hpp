@@ -6,8 +6,8 @@
 //
 // y: the output's motion, s: the cam's, both in lifts over x. A spline y of degree p and continuity k makes a
 // spline s of degree p and continuity k − 2 on the same breakpoints, and s determines y: polynomial by
-// polynomial, from the highest power down. Source: W. M. Dudley 1948 and D. A. Stoddart 1953 (polydyne), R. L.
-// Norton et al. 2002 (splinedyne).
+// polynomial, from the highest power down. Source: W. M. Dudley 1948 and D. A. Stoddart 1953 (polydyne), R.
+// L. Norton et al. 2002 (splinedyne).
 #pragma once
 
 #include "splines/affine_row.hpp"

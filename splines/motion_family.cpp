@@ -70,7 +70,8 @@ MotionFamily MotionFamily::cam_motions(const DerivativeCombination& of) const {
     }
     for (Stretch& stretch : family.stretches_) {
         if (stretch.kind == StretchRequest::Kind::shape)
-            throw InputError("the output of a train: found a fixed shape in its motion; allowed: dwells and splines");
+            throw InputError(
+                "the output of a train: found a fixed shape in its motion; allowed: dwells and splines");
         if (stretch.kind != StretchRequest::Kind::dwell) continue;
         for (AffineRow* const end : {&stretch.from, &stretch.to}) {
             end->offset *= of.weights[0];

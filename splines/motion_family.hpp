@@ -62,8 +62,8 @@ class MotionFamily {
     MotionFamily(DesignVector single);  // NOLINT(google-explicit-constructor)
     /// Throws InputError if the intervals do not join, or displacements contradict each other.
     [[nodiscard]] static MotionFamily make(const FamilyRequest& request);
-    /// The motions s = of(y) of this family's y, by the same entries and equalities: dwells and splines. Throws
-    /// InputError for a family with a fixed shape, or whose splines are not smooth enough.
+    /// The motions s = of(y) of this family's y, by the same entries and equalities: dwells and splines.
+    /// Throws InputError for a family with a fixed shape, or whose splines are not smooth enough.
     [[nodiscard]] MotionFamily cam_motions(const DerivativeCombination& of) const;
 
     [[nodiscard]] int size() const { return size_; }

@@ -168,7 +168,8 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
                     found.push_back({r, place.where, amount, rule->limit(), std::move(place.setting)});
             continue;
         }
-        for (const Extremum& maximum : rule_maxima(rule, model_->family_of(rule), own, own_parameters(r, x))) {
+        for (const Extremum& maximum :
+             rule_maxima(rule, model_->family_of(rule), own, own_parameters(r, x))) {
             // Undefined (an arm that cannot reach) counts as an infinite violation.
             const double scale = rule->scale_at(maximum.at);
             if (scale == 0.0) continue;

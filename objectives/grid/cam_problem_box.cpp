@@ -51,8 +51,9 @@ double limited_derivative(const CamModel& model, int order) {
         for (const PlacedRule& rule : model.rules) {
             const bool whole = (rule.stretch < 0 || rule.stretch == s) && rule.from <= stretches[s].begin &&
                                rule.until >= stretches[s].end;
-            if (!whole || model.sees_cam(rule) || !rule->limit() || !rule->linear() || !rule->parameters().empty() ||
-                rule->highest_order() != order || dynamic_cast<const LinearRule*>(rule.rule.get()) == nullptr)
+            if (!whole || model.sees_cam(rule) || !rule->limit() || !rule->linear() ||
+                !rule->parameters().empty() || rule->highest_order() != order ||
+                dynamic_cast<const LinearRule*>(rule.rule.get()) == nullptr)
                 continue;
             const double rest = value(*rule, 0), slope = value(*rule, order) - rest;
             const bool alone = value(*rule, order == 2 ? 1 : 2) == rest;  // no sum of derivatives

@@ -171,7 +171,7 @@ void CamProblem::complete_responses(Eigen::VectorXd& x) const {
             continue;
         double largest = parameter.lower;
         for (const auto& place : parameter.defined_by->whole()->maxima(parameter.of_cam ? of_cam : of_output,
-                                                                        Eigen::VectorXd::Zero(1)))
+                                                                       Eigen::VectorXd::Zero(1)))
             largest = std::max(largest, place.where.value);
         x[model_->design.size() + static_cast<Eigen::Index>(p)] = largest;
     }

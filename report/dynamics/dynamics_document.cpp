@@ -19,7 +19,8 @@ constexpr int train_decimals = 2, train_speed_decimals = 1;
 constexpr std::array<std::string_view, 3> shown_laws = {"modified_sine", "polynomial_345", "cycloidal"};
 
 bool is_shown(const TrainStudy& study, const std::string& key) {
-    return key == "optimum" || key == "static_optimum" || key == "polydyne" || key == study.scene.objective.reference.law ||
+    return key == "optimum" || key == "static_optimum" || key == "polydyne" ||
+           key == study.scene.objective.reference.law ||
            std::ranges::find(shown_laws, key) != shown_laws.end();
 }
 
@@ -125,17 +126,19 @@ Table steady_table(const TrainStudy& study) {
 /// What is left where the train is stiffer or softer than it was thought to be.
 Table detuned_table(const TrainStudy& study) {
     const ShownUnits shown = shown_units(study.scene);
-    Table table{"detuned",
-                "Residual vibration at the scene's speed, where the natural frequency is another",
-                {{.key = "motion", .where = Where::files}, {.key = "title", .title = "motion", .left = true}}};
+    Table table{
+        "detuned",
+        "Residual vibration at the scene's speed, where the natural frequency is another",
+        {{.key = "motion", .where = Where::files}, {.key = "title", .title = "motion", .left = true}}};
     for (const double factor : detuning)
-        table.columns.push_back({.key = fmt::format("residual_at_{:.0f}_percent", 100.0 * factor),
-                                 .title = factor == 1.0 ? "as given" : fmt::format("{:+.0f} %", 100.0 * (factor - 1.0)),
-                                 .unit = shown.vibration,
-                                 .decimals = train_decimals});
+        table.columns.push_back(
+            {.key = fmt::format("residual_at_{:.0f}_percent", 100.0 * factor),
+             .title = factor == 1.0 ? "as given" : fmt::format("{:+.0f} %", 100.0 * (factor - 1.0)),
+             .unit = shown.vibration,
+             .decimals = train_decimals});
     for (std::size_t i = 0; i < study.detuned.size(); ++i) {
-        std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{
-            study.motions[i].first, study.motions[i].second});
+        std::vector<Cell>& cells =
+            table.rows.emplace_back(std::vector<Cell>{study.motions[i].first, study.motions[i].second});
         for (const double residual : study.detuned[i].residual)
             cells.emplace_back(residual * study.scene.motion.lift);
     }

@@ -37,10 +37,12 @@ std::string cam_sentence(const Solution& solution) {
     const auto peak = [&](std::size_t order) {
         const Extremum& found = derivative_peak(solution.cam_peaks, static_cast<int>(order));
         return fmt::format("{} {} at {} deg", derivative_names[order],
-                           shown.motion[order].first.normalised_text(found.value), degrees_at(solution, found.at));
+                           shown.motion[order].first.normalised_text(found.value),
+                           degrees_at(solution, found.at));
     };
     return fmt::format(
-        "the motion is the output's; the cam gives what the train needs for it at {} rpm, and its own largest {}, "
+        "the motion is the output's; the cam gives what the train needs for it at {} rpm, and its own "
+        "largest {}, "
         "{} and {}",
         rpm_text(*solution.scene.motion.speed), peak(1), peak(2), peak(3));
 }

@@ -141,7 +141,8 @@ Sentences reference_sentences(const Solution& solution, PageReference wish) {
     if (const std::string changes = peak_changes(solution, law); !changes.empty())
         sentences.push_back(fmt::format("Its peaks compared with this motion: {}.", changes));
     if (solution.output) {  // the limits of a cam that it does not have
-        sentences.emplace_back("No cam makes the output move so: where a law's jerk jumps, the cam would need an impulse.");
+        sentences.emplace_back(
+            "No cam makes the output move so: where a law's jerk jumps, the cam would need an impulse.");
         return sentences;
     }
     const Sentences broken = broken_limits(law);

@@ -22,7 +22,8 @@ std::string broken_words(const LimitOutcome& outcome) {
     const ConstraintReport& reached = outcome.reached;
     const std::string name = words_of(reached.name);
     if (reached.name.starts_with("rest_"))
-        return fmt::format("derivative {} is not 0 at the ends", reached.name.substr(reached.name.find('_') + 1));
+        return fmt::format("derivative {} is not 0 at the ends",
+                           reached.name.substr(reached.name.find('_') + 1));
     if (reached.no_contact) return fmt::format("{}: {}", name, no_contact_words);
     if (std::isnan(outcome.excess)) return name + " does not exist: the cam cannot be built";
     if (reached.name == "symmetric")

@@ -35,17 +35,16 @@ void add_derivatives(std::vector<TableColumn>& rows, std::size_t order, std::spa
         const bool in_time = is_unit_of_time(unit.unit);
         const unsigned need = (is_angle_unit(unit.unit) ? ColumnNeed::angle : ColumnNeed::length) |
                               (in_time ? ColumnNeed::speed : 0U) | (output ? ColumnNeed::output : 0U);
-        rows.push_back({fmt::format("{}{}{}", output ? "output_" : "",
-                                    (in_time ? keys_in_time : keys_of_angle)[order], unit.suffix),
-                        fmt::format("{}{} in {}", output ? "the output's " : "", derivative_names[order],
-                                    unit.unit),
-                        need, order,
-                        [=, size = unit.factor](const MotionSpec& motion, const TableRow& row) {
-                            const double rate = (in_time ? motion.speed.value() : 1.0) / motion.unit_angle();
-                            const MotionPoint& point = output ? row.output.value() : row.motion;
-                            return point.derivative[order] * motion.lift *
-                                   std::pow(rate, static_cast<int>(order)) / size;
-                        }});
+        rows.push_back(
+            {fmt::format("{}{}{}", output ? "output_" : "", (in_time ? keys_in_time : keys_of_angle)[order],
+                         unit.suffix),
+             fmt::format("{}{} in {}", output ? "the output's " : "", derivative_names[order], unit.unit),
+             need, order, [=, size = unit.factor](const MotionSpec& motion, const TableRow& row) {
+                 const double rate = (in_time ? motion.speed.value() : 1.0) / motion.unit_angle();
+                 const MotionPoint& point = output ? row.output.value() : row.motion;
+                 return point.derivative[order] * motion.lift * std::pow(rate, static_cast<int>(order)) /
+                        size;
+             }});
     }
 }
 

@@ -22,8 +22,8 @@ struct TableRow {
     double theta_deg = 0.0;
     MotionPoint motion;  ///< normalised
     const MechanismPoint* cam = nullptr;
-    FollowerLoads loads = {};  ///< where the cam has forces
-    DrivePoint drive = {};     ///< where there is a motor
+    FollowerLoads loads = {};                ///< where the cam has forces
+    DrivePoint drive = {};                   ///< where there is a motor
     std::optional<MotionPoint> output = {};  ///< where it is prescribed, and `motion` is the cam's
 };
 

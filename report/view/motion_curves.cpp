@@ -24,11 +24,12 @@ std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
     const Motion& motion = view.solution.output_motion();
     for (const WrittenBound& bound : motion_bounds(scene)) {
         if (bound.of_motor() || bound.order != static_cast<int>(unit.order)) continue;
-        all.push_back({view.degrees(std::max(bound.from, motion.begin())),
-                       view.degrees(std::min(bound.until, motion.end())),
-                       unit.per_normalised * bound.sign * bound.bound, bound.sign,
-                       fmt::format("{}limit {}{}{}", bound.of_cam ? "the cam's " : "", short_text(bound.given), bound.unit.empty() ? "" : " ",
-                                   unit_words(bound.unit))});
+        all.push_back(
+            {view.degrees(std::max(bound.from, motion.begin())),
+             view.degrees(std::min(bound.until, motion.end())),
+             unit.per_normalised * bound.sign * bound.bound, bound.sign,
+             fmt::format("{}limit {}{}{}", bound.of_cam ? "the cam's " : "", short_text(bound.given),
+                         bound.unit.empty() ? "" : " ", unit_words(bound.unit))});
     }
     return all;
 }

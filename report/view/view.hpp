@@ -52,7 +52,8 @@ struct Curve {
     double beside_factor = 1.0;             ///< value in `beside` = beside_factor · value
     double normalised_factor = 0.0;         ///< normalised value = normalised_factor · value; 0: has none
     std::optional<ComparedCurve> reference = {}, measured = {};
-    std::optional<ComparedCurve> cam = {};  ///< of the motion, where `values` are a prescribed output's: the cam's
+    std::optional<ComparedCurve> cam =
+        {};  ///< of the motion, where `values` are a prescribed output's: the cam's
     std::vector<CurveLimit> limits = {};
     std::vector<CurveMark> marks = {};
     std::vector<std::array<double, 2>> points =

@@ -97,7 +97,8 @@ Fault prescribed_output_fault(const Scene& scene) {
     if (!scene.dynamics->stages.empty())
         return SceneFault{member, found("with stages between cam and output"), "a train of one mass"};
     if (spline.degree < 5)
-        return SceneFault{"spline.degree", fmt::format("{} with dynamics.prescribe = \"output\"", spline.degree),
+        return SceneFault{"spline.degree",
+                          fmt::format("{} with dynamics.prescribe = \"output\"", spline.degree),
                           "5 or 7: the cam's acceleration has the output's fourth derivative in it"};
     if (spline.smoothness() < 4)
         return SceneFault{"spline.continuity",
@@ -113,12 +114,15 @@ Fault prescribed_output_fault(const Scene& scene) {
         return SceneFault{member, found(fmt::format("with the law \"{}\"", law->law)),
                           "splines and dwells: the cam of a law has impulses where the law's jerk jumps"};
     if (scene.tolerance)
-        return SceneFault{"tolerance", "tolerances with dynamics.prescribe = \"output\"",
-                          "without one of the two: what an error of the cam does to the output is a vibration"};
+        return SceneFault{
+            "tolerance", "tolerances with dynamics.prescribe = \"output\"",
+            "without one of the two: what an error of the cam does to the output is a vibration"};
     if (scene.drive)
-        return SceneFault{"drive", "a motor with dynamics.prescribe = \"output\"", "a cam, or the motion alone"};
+        return SceneFault{"drive", "a motor with dynamics.prescribe = \"output\"",
+                          "a cam, or the motion alone"};
     if (scene.is_given())
-        return SceneFault{member, found("with a given cam"), "\"cam\": the motion of a given cam is the cam's"};
+        return SceneFault{member, found("with a given cam"),
+                          "\"cam\": the motion of a given cam is the cam's"};
     return std::nullopt;
 }
 

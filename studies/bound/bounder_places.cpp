@@ -62,7 +62,8 @@ void Bounder::add_place(double at, Side side, bool of_cam) {
     const MotionFamily::Piece& piece = family.pieces()[static_cast<std::size_t>(family.piece_of(at, side))];
     for (const Place& place : places_)
         if (place.of_cam == of_cam && place.side == side &&
-            std::abs(place.at - at) <= same_place * (piece.end - piece.begin)) return;
+            std::abs(place.at - at) <= same_place * (piece.end - piece.begin))
+            return;
     Place place;
     place.at = at;
     place.side = side;

@@ -375,9 +375,10 @@ ComparisonRow given_row(const Bench& bench, const Solution& given, std::optional
 Comparison compare(const Scene& scene, const SolveControl& control) {
     Scene complete = with_written_limits(scene);
     if (complete.prescribes_output())
-        throw SceneError({"dynamics.prescribe", "\"output\" in a comparison with laws",
-                          "\"cam\": a law whose jerk jumps is the output of no cam; camopt dynamics compares what laws "
-                          "leave as cams"});
+        throw SceneError(
+            {"dynamics.prescribe", "\"output\" in a comparison with laws",
+             "\"cam\": a law whose jerk jumps is the output of no cam; camopt dynamics compares what laws "
+             "leave as cams"});
     Comparison comparison;
     std::optional<Solution> given;
     if (complete.is_given()) {

@@ -42,8 +42,9 @@ struct DeliveredRow {
     bool closing = false;             ///< of the dwell that closes the cam, after the motion itself
     std::vector<MechanismPoint> cam;  ///< by station; empty without a cam
     std::optional<FollowerLoads> loads;
-    std::optional<DrivePoint> drive = {};   ///< of a motor in place of a cam
-    std::optional<MotionPoint> output = {};  ///< where the output's motion is prescribed; `motion` is the cam's
+    std::optional<DrivePoint> drive = {};  ///< of a motor in place of a cam
+    std::optional<MotionPoint> output =
+        {};  ///< where the output's motion is prescribed; `motion` is the cam's
 
     [[nodiscard]] const MotionPoint& output_motion() const { return output ? *output : motion; }
 };

@@ -18,7 +18,10 @@ constexpr std::array<const char*, 4> derivative = {"y", "y'", "y''", "y'''"};
 class Audit {
  public:
     Audit(const Solution& solution, double tolerance)
-        : solution_(solution), scene_(solution.scene), motion_(solution.output_motion()), tolerance_(tolerance) {
+        : solution_(solution),
+          scene_(solution.scene),
+          motion_(solution.output_motion()),
+          tolerance_(tolerance) {
         const Peaks& peaks = solution.motion_peaks;
         size_ = {1.0, peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
         for (const SegmentReport& segment : solution.segments)  // where a law has an impulse

@@ -153,8 +153,7 @@ LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const Constrai
     return {reached, excess <= std::max(just_reached, 10.0 * scene.solver.tolerance) * scale, excess, scale};
 }
 
-std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion,
-                                            const Motion& cam) {
+std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion, const Motion& cam) {
     std::vector<ConstraintReport> all;
     double nearest = 0.0;  // of the bounds with one key: how far the motion exceeds it, by its scale
     for (const WrittenBound& bound : motion_bounds(scene)) {

@@ -102,7 +102,8 @@ LawMotion law_in_place(const Solution& solution, std::string_view law) {
     if (scene.motion.type != MotionType::program)
         return law_motion(strokes_of(scene.motion), false, make_law(law));
     const CamModel model = scene_model(scene, DesignKind::states, solution.reference_peaks);
-    return law_motion(strokes_of(scene, model, &solution.output_motion()), scene.motion.closed, make_law(law));
+    return law_motion(strokes_of(scene, model, &solution.output_motion()), scene.motion.closed,
+                      make_law(law));
 }
 
 TrainReport train_report(const Scene& scene, const Motion& motion) {

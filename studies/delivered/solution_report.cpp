@@ -125,7 +125,8 @@ void report_peak_limits(Solution& solution) {
         report_peak_limit(solution, row.name(), limit,
                           derivative_peak(in_time ? solution.motion_peaks : solution.peaks, row.order()));
     }
-    for (ConstraintReport& reached : bound_reports(solution.scene, solution.output_motion(), *solution.motion))
+    for (ConstraintReport& reached :
+         bound_reports(solution.scene, solution.output_motion(), *solution.motion))
         solution.constraints.push_back(std::move(reached));
 }
 
@@ -173,8 +174,7 @@ void report_delivered(Solution& solution, MotionAndCam delivered) {
     report_peak_limits(solution);
     report_cam(solution, std::move(delivered.dimensions));
     solution.own_terms = own_term_reports(solution.scene, solution.output_motion());
-    const std::vector<ConstraintReport> own =
-        own_constraints(solution.scene, solution.output_motion());
+    const std::vector<ConstraintReport> own = own_constraints(solution.scene, solution.output_motion());
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
     report_responses(solution);
     if (solution.scene.drive) solution.drive = drive_figures(solution.scene, *solution.motion);

@@ -91,7 +91,8 @@ bool is_excluded(const Scene& scene, const LimitKey& limit) {
     if (limit.peak == nullptr) return false;
     return std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
         const auto& given = row.in(scene.limits);
-        if (!given || &row == limit.peak || std::string_view(row.key_name) != limit.peak->key_name) return false;
+        if (!given || &row == limit.peak || std::string_view(row.key_name) != limit.peak->key_name)
+            return false;
         return row.side == 0 || limit.peak->side == 0 || given->unit != limit.spelling->unit;
     });
 }

@@ -75,7 +75,8 @@ bool loosens_with_size(const Scene& scene) {
 }  // namespace
 
 std::optional<Tightens> tightening_of(const Scene& scene, std::string_view key) {
-    if (scene.prescribes_output()) return std::nullopt;  // the cam's motion changes with the train and the speed
+    if (scene.prescribes_output())
+        return std::nullopt;  // the cam's motion changes with the train and the speed
     const auto is = [&](std::string_view name) { return key.starts_with(name); };
     if (scene.forces && is("forces.preload") && !limits_loads_beside_contact_force(scene))
         return Tightens::downward;

@@ -53,10 +53,12 @@ class TrainStudyRun {
     /// The mass stays, the spring changes.
     void add_detuned() {
         if (!scene_.dynamics->formulas->vibrates()) return;
-        for (std::size_t i = 0; i < pieces_.size(); ++i) study_.detuned.push_back({study_.motions[i].first, {}});
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            study_.detuned.push_back({study_.motions[i].first, {}});
         for (std::size_t k = 0; k < detuning.size(); ++k) {
-            const auto train = detuned_train(detuning[k])->at(scene_.motion.speed.value(),
-                                                              scene_.motion.unit_angle(), scene_.motion.lift);
+            const auto train =
+                detuned_train(detuning[k])
+                    ->at(scene_.motion.speed.value(), scene_.motion.unit_angle(), scene_.motion.lift);
             for (std::size_t i = 0; i < pieces_.size(); ++i)
                 for (const MotionEvent& stroke : study_.strokes) {
                     double& worst = study_.detuned[i].residual[k];
@@ -99,7 +101,8 @@ class TrainStudyRun {
         train.natural_frequency.reset();
         train.damping_ratio.reset();
         train.damping = output.damping;
-        train.stiffness = factor * factor * (output.stiffness + train.return_stiffness) - train.return_stiffness;
+        train.stiffness =
+            factor * factor * (output.stiffness + train.return_stiffness) - train.return_stiffness;
         return train_formulas(train);
     }
     void add_history(const std::string& key, const EventPieces& pieces) {
@@ -190,7 +193,8 @@ bool is_damped(const DynamicsSpec& spec) {
 }
 
 bool asks_train(const Scene& scene) {
-    return scene.prescribes_output() || weighs_response(scene.objective) || std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
+    return scene.prescribes_output() || weighs_response(scene.objective) ||
+           std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
                return row.needs_dynamics && row.in(scene.limits).has_value();
            });
 }

@@ -255,7 +255,8 @@ void add_verdict(py::class_<SolvedScene>& type) {
 void add_motion_of(py::class_<SolvedScene>& type) {
     type.def_property_readonly(
             "motion", [](const SolvedScene& s) { return value_of(of(s).motion); },
-            "The Motion found, callable; None where nothing was found. Where the output is prescribed, the cam's.")
+            "The Motion found, callable; None where nothing was found. Where the output is prescribed, the "
+            "cam's.")
         .def_property_readonly(
             "output", [](const SolvedScene& s) { return value_of(of(s).output); },
             "The Motion of the output where dynamics.prescribe = \"output\"; None: it is `motion`.")

@@ -81,7 +81,8 @@ double residual_of(const Scene& scene, const Motion& cam) {
         return stiff::Input{at.derivative[0], at.derivative[1] * pace, at.derivative[2] * pace * pace};
     };
     const std::vector<double> state = stiff::integrated(chain, end, 1e-12);
-    const double total = output.stiffness + train.return_stiffness, frequency = std::sqrt(total / output.mass);
+    const double total = output.stiffness + train.return_stiffness,
+                 frequency = std::sqrt(total / output.mass);
     const double rest = output.stiffness / total * cam.at(cam.end(), Side::left).derivative[0];
     return std::hypot(state[0] - rest, state[1] / frequency);
 }
@@ -164,9 +165,10 @@ TEST(PrescribedOutput, PolydyneLeavesNoVibration) {
 }
 
 TEST(PrescribedOutput, HoldsCamToItsLimits) {
-    const Solution solution = solve(rise(2.5, 20).with(
-        "cam = { type = 'disk', follower = 'translating_roller', base_radius_mm = 30, roller_radius_mm = 10 }",
-        "limits.pressure_angle_deg = 31", "limits.cam_radius_min_mm = 1"));
+    const Solution solution =
+        solve(rise(2.5, 20).with("cam = { type = 'disk', follower = 'translating_roller', base_radius_mm = "
+                                 "30, roller_radius_mm = 10 }",
+                                 "limits.pressure_angle_deg = 31", "limits.cam_radius_min_mm = 1"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_TRUE(solution.cam);
     const double prime = 40.0, lift = 20.0, angle = solution.scene.motion.unit_angle();
@@ -192,7 +194,8 @@ TEST(PrescribedOutput, GoesThroughProgramWithDwells) {
 
 TEST(PrescribedOutput, RefusesWhatItCannotMean) {
     const TestScene scene = rise(2.0, 16);
-    EXPECT_NE(refusal([&] { (void)solve(scene.with("spline.degree = 3")); }).find("5 or 7"), std::string::npos);
+    EXPECT_NE(refusal([&] { (void)solve(scene.with("spline.degree = 3")); }).find("5 or 7"),
+              std::string::npos);
     EXPECT_NE(refusal([&] { (void)solve(scene.with("spline.continuity = 3")); }).find("4 or more"),
               std::string::npos);
     EXPECT_NE(refusal([&] {
