@@ -70,7 +70,7 @@ class Scene:
     def choose_cam(self):
         limit = round(self.numbers.uniform(24, 36), 1)
         steep, beta = math.tan(math.radians(limit)), math.radians(self.rise)
-        prime = round(self.lift * self.numbers.uniform(0.9, 1.7) * 1.9 / beta / steep, 2)
+        prime = round(self.lift * self.numbers.uniform(0.55, 1.5) * 1.9 / beta / steep, 2)
         self.cam = f'[cam]\ntype = "disk"\nfollower = "translating_roller"\nbase_radius_mm = {round(0.7 * prime, 2)}\n' \
                    f"roller_radius_mm = {round(0.3 * prime, 2)}\n"
         prime = round(0.7 * prime, 2) + round(0.3 * prime, 2)

@@ -14,7 +14,7 @@ import program
 
 SCENES = ("drd_cubic_12.toml", "drd_quintic_12.toml", "rr_unequal_return.toml", "drd_physical_limits.toml",
           "cam_roller.toml", "cam_forces.toml", "cam_drdrd.toml", "infeasible_velocity_cap.toml", "drd_free_knots.toml", "cam_tolerances.toml",
-          "given_drum.toml", "given_guide_forward.toml")
+          "given_drum.toml", "given_guide_forward.toml", "splinedyne_slide.toml")
 ROLLER = program.scene_path("cam_roller.toml")
 
 
@@ -114,6 +114,13 @@ class Motions(unittest.TestCase):
                 np.testing.assert_allclose(spline(x, order), solution.motion(x, order), atol=tolerance)
         with self.assertRaisesRegex(camopt.InputError, "found a program"):
             solved("cam_drdrd.toml").bspline()
+
+    def test_a_prescribed_output_is_another_motion_than_the_cam_s(self):
+        solution = solved("splinedyne_slide.toml")
+        x, result = np.linspace(0, 1, 50), solution.to_dict()
+        by_y, _, by_bend = result["cam_of_output"]["weights"]
+        np.testing.assert_allclose(solution.motion(x), by_y * solution.output(x) + by_bend * solution.output(x, 2), atol=1e-10)
+        self.assertIsNone(solved("drd_cubic_12.toml").output)
 
     def test_laws_are_motions_with_peaks(self):
         self.assertIn("modified_sine", camopt.laws())
