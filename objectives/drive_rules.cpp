@@ -326,19 +326,34 @@ void add_curve_bounds(std::vector<WrittenBound>& all, const Scene& scene,
 
 DriveAlong::DriveAlong(const Scene& scene) : torque_(drive_torque(*scene.drive, scene.motion)) {
     spans_ = spans_of(scene, scene_family(scene, DesignKind::states));
+    if (scene.prescribes_output())
+        of_output_ =
+            torque_.acceleration * (torque_of_output(scene).weights[0] - cam_of_output(scene).weights[0]);
 }
 
-DrivePoint DriveAlong::at(const MotionPoint& point, Side side) const {
+DrivePoint DriveAlong::at(const MotionPoint& point, Side side, const MotionPoint* output) const {
     const DriveSpan* own = &spans_.front();
     for (const DriveSpan& span : spans_)
         if (side == Side::right ? point.x >= span.begin - same_joint : point.x > span.begin + same_joint)
             own = &span;
-    return {
-        torque_.acceleration * point.derivative[2] + torque_.velocity * point.derivative[1] + own->constant,
-        torque_.speed * point.derivative[1]};
+    const double of_load = output != nullptr ? of_output_ * output->derivative[2] : 0.0;
+    return {torque_.acceleration * point.derivative[2] + torque_.velocity * point.derivative[1] +
+                own->constant + of_load,
+            torque_.speed * point.derivative[1]};
 }
 
-DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
+namespace {
+
+/// τ n, sampled between the breakpoints: of two motions it is no rule of one point.
+Extremum largest_power(const DriveTorque& torque, double constant, const Motion& motor, const Motion& load) {
+    return largest_along(motor.breakpoints(), [&](double x, Side side) {
+        const double moved = torque.acceleration * load.at(x, side).derivative[2] + constant;
+        return std::abs(torque.speed * motor.at(x, side).derivative[1] * moved);
+    });
+}
+
+/// `motor`: whose velocity is the motor's; `load`: whose acceleration takes its torque. Mostly one motion.
+DriveFigures figures_of(const Scene& scene, const Motion& motor, const Motion& load) {
     const MotionFamily family = scene_family(scene, DesignKind::states);
     const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
     const std::vector<DriveSpan> spans = spans_of(scene, family);
@@ -346,24 +361,44 @@ DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
     const auto raise = [](Extremum& worst, const Extremum& one) {
         if (one.value > worst.value) worst = one;
     };
-    figures.torque.at = figures.speed.at = figures.power.at = figures.share_of_curve.at = motion.begin();
-    for (const auto& place : motor_peak_rule(scene, family, 0, 1.0).maxima(motion, {}))
+    figures.torque.at = figures.speed.at = figures.power.at = figures.share_of_curve.at = motor.begin();
+    for (const auto& place : motor_peak_rule(scene, family, 0, 1.0).maxima(load, {}))
         raise(figures.torque, place.where);
+    if (&motor != &load) raise(figures.power, largest_power(torque, spans.front().constant, motor, load));
     for (const DriveSpan& span : spans)
-        for (const int sign : {1, -1})
-            for (const Extremum& one : rule_maxima(PowerRule(torque, span, sign), motion, {}))
+        for (const int sign : {1, -1}) {
+            if (&motor != &load) break;
+            for (const Extremum& one : rule_maxima(PowerRule(torque, span, sign), motor, {}))
                 if (one.at >= span.begin && one.at <= span.end) raise(figures.power, one);
+        }
     LinearBound speed;
     speed.order = 2;
     for (const double sign : {1.0, -1.0}) {
         speed.weights = {sign * torque.speed, 0.0, 0.0};
-        raise(figures.speed, extreme_of(speed, motion));
+        raise(figures.speed, extreme_of(speed, motor));
     }
     std::vector<WrittenBound> curve;
     if (!scene.limits.motor_curve.empty()) add_curve_bounds(curve, scene, spans);
-    for (const WrittenBound& bound : curve) raise(figures.share_of_curve, extreme_of(bound, motion));
-    figures.rms_torque = MotorEnergy(scene, family).rms(motion);
+    for (const WrittenBound& bound : curve) raise(figures.share_of_curve, extreme_of(bound, motor));
+    figures.rms_torque = MotorEnergy(scene, family).rms(load);
     return figures;
+}
+
+/// The load and the motor as one: what a law asks for in the place of a prescribed output.
+Scene with_rigid_load(Scene scene) {
+    if (!scene.prescribes_output()) return scene;
+    scene.drive.value().load += scene.dynamics->mass;
+    scene.dynamics.reset();
+    return scene;
+}
+
+}  // namespace
+
+DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
+    if (!scene.prescribes_output()) return figures_of(scene, motion, motion);
+    const auto& output = dynamic_cast<const MotionChain&>(motion);
+    return figures_of(scene, combined(output, cam_of_output(scene)),
+                      combined(output, torque_of_output(scene)));
 }
 
 std::vector<WrittenBound> drive_bounds(const Scene& scene, const MotionFamily& family) {
@@ -371,10 +406,12 @@ std::vector<WrittenBound> drive_bounds(const Scene& scene, const MotionFamily& f
     if (!scene.drive) return all;
     const std::vector<DriveSpan> spans = spans_of(scene, family);
     add_torque_bounds(all, scene, spans);
+    for (WrittenBound& bound : all) bound.seen = SeenMotion::torque;
     if (const auto& limit = scene.limits.motor_speed)
         for (const int sign : {1, -1}) {
             WrittenBound bound = written_bound(limit_row(LimitedFigure::motor_speed), *limit, sign);
             bound.weights = {sign * drive_torque(*scene.drive, scene.motion).speed, 0.0, 0.0};
+            bound.seen = SeenMotion::cam;
             all.push_back(std::move(bound));
         }
     if (!scene.limits.motor_curve.empty()) add_curve_bounds(all, scene, spans);
@@ -389,7 +426,8 @@ double drive_reference(const Scene& scene, const MotionFamily& family, const Res
         throw SceneError({key, "no number",
                           fmt::format("a number > 0, because objective.{} = {}", term.name,
                                       term.weight_in(scene.objective))});
-    const DriveFigures figures = drive_figures(scene, law_chain(scene, family));
+    const MotionChain law = law_chain(scene, family);
+    const DriveFigures figures = figures_of(with_rigid_load(scene), law, law);
     const double own =
         term.figure == ResponseFigure::motor_torque ? figures.torque.value : figures.rms_torque;
     if (own > 0.0 && std::isfinite(own)) return own;
@@ -435,6 +473,8 @@ void add_drive_rules(CamModel& model, const Scene& scene) {
     }
     if (const auto& limit = scene.limits.motor_torque_rms)
         model.rules.emplace_back(motor_energy_rule(limit->key, scene, model.design, limit->value, -1));
+    if (scene.prescribes_output())
+        model.motor.reset();  // its bounds are of a motor that moves all of the load
 }
 
 }  // namespace camopt

@@ -6,6 +6,9 @@
 //   torque-speed curve    (± τ ± k n) / c <= 1, for each edge |τ| = c − k |n| of the polygon
 //   rms                   (1/C) (∫ τ² dx + (C − L) τ_0²) <= limit²       convex quadratic, one row
 //
+// Where dynamics prescribes the output's motion the load hangs on a spring: the motor follows s, and the
+// torque is that of s'' and of the output's y'' (SeenMotion::torque).
+//
 // C: the cycle, L: the motion, outside of which the axis rests with τ_0 = r F. Friction is a constant of each
 // stroke.
 #pragma once
@@ -15,7 +18,7 @@
 
 namespace camopt {
 
-/// Along a motion of the scene from begin to end.
+/// Along a motion of the scene from begin to end; where the output is prescribed (a MotionChain) of that.
 [[nodiscard]] DriveFigures drive_figures(const Scene& scene, const Motion& motion);
 
 /// τ and n at a point of the motion; of the stroke that `x`, seen from `side`, belongs to.
@@ -30,11 +33,14 @@ struct DriveSpan {
 class DriveAlong {
  public:
     explicit DriveAlong(const Scene& scene);
-    [[nodiscard]] DrivePoint at(const MotionPoint& point, Side side) const;
+    /// `output`: where its motion is prescribed, and `point` is the motor's; null: they are one.
+    [[nodiscard]] DrivePoint at(const MotionPoint& point, Side side,
+                                const MotionPoint* output = nullptr) const;
 
  private:
     DriveTorque torque_;
     std::vector<DriveSpan> spans_;
+    double of_output_ = 0.0;  ///< N m for y'' = 1 of a prescribed output
 };
 
 /// The limits that are linear; none without a drive.

@@ -32,7 +32,7 @@ void add_sided(std::vector<WrittenBound>& all, const PeakLimitRow& row, const Pe
     bound.sign = side;
     bound.bound = side * (row.side == 0 ? side : 1) * limit.normalised;
     bound.magnitude = row.side == 0;
-    bound.of_cam = row.of_cam;
+    if (row.of_cam) bound.seen = SeenMotion::cam;
     bound.scale = scale_of(bound, 1.0);
     bound.name = row.name();
     bound.unit = limit.unit;

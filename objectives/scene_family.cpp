@@ -71,6 +71,14 @@ DerivativeCombination cam_of_output(const Scene& scene) {
              train.mass / stiffness * pace * pace}};
 }
 
+DerivativeCombination torque_of_output(const Scene& scene) {
+    const DriveSpec& drive = scene.drive.value();
+    const double square = drive.transmission * drive.transmission;
+    DerivativeCombination torque = cam_of_output(scene);
+    torque.weights[0] += scene.dynamics.value().mass * square / (drive.load * square + drive.motor_inertia);
+    return torque;
+}
+
 std::vector<double> start_breakpoints(const Scene& scene) {
     if (scene.motion.type == MotionType::program) return breakpoints_of(scene.spline, 0.0, 1.0, {});
     return spline_request(scene, DesignKind::states).space.breakpoints();

@@ -16,9 +16,14 @@ namespace camopt {
 [[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind,
                                         const std::vector<StrokeDirection>& of_free = {});
 
-/// What makes the cam's motion of the output's, where dynamics prescribes it (scene/dynamics_spec.hpp), at the
-/// scene's speed; in lifts over x.
+/// What makes the cam's motion of the output's, where dynamics prescribes it (scene/dynamics_spec.hpp), at
+/// the scene's speed; in lifts over x.
 [[nodiscard]] DerivativeCombination cam_of_output(const Scene& scene);
+
+/// The same for the torque of a motor between which and the output the train stands: with A the torque that
+/// the motor and what moves with it take for s'' = 1, the output takes the part ρ of it, and A z'' with
+/// z = s + ρ y is the torque of both.
+[[nodiscard]] DerivativeCombination torque_of_output(const Scene& scene);
 
 /// The scene's own breakpoints, in the units of spline.breakpoints: where a search for free ones starts.
 [[nodiscard]] std::vector<double> start_breakpoints(const Scene& scene);

@@ -351,12 +351,12 @@ void add_cam(CamModel& model, const Scene& scene) {
     for (const auto& rule : cam_limits(scene, *cam)) model.rules.emplace_back(rule);
 }
 
-/// Rules and terms that see the cam's motion.
-void add_of_cam(CamModel& model, const Scene& scene, void (*add)(CamModel&, const Scene&)) {
+/// Rules and terms that see another motion than the output's.
+void add_seeing(SeenMotion seen, CamModel& model, const Scene& scene, void (*add)(CamModel&, const Scene&)) {
     const std::size_t rules = model.rules.size(), parameters = model.parameters.size();
     add(model, scene);
-    for (std::size_t r = rules; r < model.rules.size(); ++r) model.rules[r].of_cam = true;
-    for (std::size_t p = parameters; p < model.parameters.size(); ++p) model.parameters[p].of_cam = true;
+    for (std::size_t r = rules; r < model.rules.size(); ++r) model.rules[r].seen = seen;
+    for (std::size_t p = parameters; p < model.parameters.size(); ++p) model.parameters[p].seen = seen;
 }
 
 }  // namespace
@@ -396,6 +396,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     if (scene.prescribes_output()) {
         model.to_cam = cam_of_output(scene);
         model.cam_motion = model.design.cam_motions(model.to_cam);
+        if (scene.drive) model.torque_motion = model.design.cam_motions(torque_of_output(scene));
     }
     add_program_scales(model, scene);
     add_known_points(model, scene);
@@ -403,11 +404,11 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_motion_bounds(model, scene);
     add_stroke_rules(model, scene, strokes);
     set_entry_factors(model, scene);
-    add_of_cam(model, scene, add_cam);
+    add_seeing(SeenMotion::cam, model, scene, add_cam);
     add_own_rules(model, scene);
-    add_of_cam(model, scene, add_response_rules);
-    add_of_cam(model, scene, add_drive_rules);
-    add_of_cam(model, scene, add_spring_rules);
+    add_seeing(SeenMotion::cam, model, scene, add_response_rules);
+    add_seeing(SeenMotion::torque, model, scene, add_drive_rules);
+    add_seeing(SeenMotion::cam, model, scene, add_spring_rules);
     add_deviation_terms(model, scene);
     model.cost_constant /= units.cost;
     for (Parameter& parameter : model.parameters) parameter.weight /= units.cost;

@@ -35,13 +35,25 @@ Eigen::MatrixXd solved_polynomials(Eigen::MatrixXd polynomials, const Derivative
     return polynomials;
 }
 
-std::shared_ptr<const SplineCurve> solved_curve(const Motion& shape, const DerivativeCombination& of) {
-    const auto* const curve = dynamic_cast<const SplineCurve*>(&shape);
-    if (curve == nullptr) throw ModelError("the output of a train: a part of the cam's motion is no spline");
-    const SplineSpace& space = curve->space();
-    const int continuity = std::min(space.degree() - 1, space.continuity() + of.highest_order());
-    return std::make_shared<const SplineCurve>(SplineSpace(space.degree(), continuity, space.breakpoints()),
-                                               solved_polynomials(curve->pieces(), of));
+/// The parts of a motion with other curves and levels: dwells and splines that are neither scaled nor
+/// mirrored.
+template <class ChangeCurve>
+MotionChain with_curves(const MotionChain& motion, double level, ChangeCurve&& changed) {
+    std::vector<ChainPart> parts = motion.parts();
+    std::map<const Motion*, std::shared_ptr<const SplineCurve>> curves;  // parts of one run share theirs
+    for (ChainPart& part : parts) {
+        if (!part.shape) {
+            part.y0 *= level;
+            continue;
+        }
+        const auto* const own = dynamic_cast<const SplineCurve*>(part.shape.get());
+        if (own == nullptr || part.x_scale != 1.0 || part.y_scale != 1.0 || part.y0 != 0.0)
+            throw ModelError("the output of a train: a part of the motion is no spline of its own");
+        auto& curve = curves[own];
+        if (!curve) curve = std::make_shared<const SplineCurve>(changed(*own));
+        part.shape = curve;
+    }
+    return MotionChain(std::move(parts));
 }
 
 }  // namespace
@@ -68,21 +80,19 @@ SplineSpace combined(const SplineSpace& space, const DerivativeCombination& of) 
     return {space.degree(), continuity, space.breakpoints()};
 }
 
+MotionChain combined(const MotionChain& motion, const DerivativeCombination& of) {
+    return with_curves(motion, of.weights[0], [&](const SplineCurve& y) {
+        return SplineCurve(combined(y.space(), of), combined(y.pieces(), of));
+    });
+}
+
 MotionChain solved(const MotionChain& motion, const DerivativeCombination& of) {
-    std::vector<ChainPart> parts = motion.parts();
-    std::map<const Motion*, std::shared_ptr<const SplineCurve>> curves;  // parts of one run share theirs
-    for (ChainPart& part : parts) {
-        if (!part.shape) {
-            part.y0 /= of.weights[0];
-            continue;
-        }
-        if (part.x_scale != 1.0 || part.y_scale != 1.0 || part.y0 != 0.0)
-            throw ModelError("the output of a train: a part of the cam's motion is scaled");
-        auto& curve = curves[part.shape.get()];
-        if (!curve) curve = solved_curve(*part.shape, of);
-        part.shape = curve;
-    }
-    return MotionChain(std::move(parts));
+    return with_curves(motion, 1.0 / of.weights[0], [&](const SplineCurve& s) {
+        const SplineSpace& space = s.space();
+        const int continuity = std::min(space.degree() - 1, space.continuity() + of.highest_order());
+        return SplineCurve(SplineSpace(space.degree(), continuity, space.breakpoints()),
+                           solved_polynomials(s.pieces(), of));
+    });
 }
 
 }  // namespace camopt

@@ -32,6 +32,9 @@ struct DerivativeCombination {
 /// The space of s for that of y. Throws InputError where y is less smooth than the combination needs.
 [[nodiscard]] SplineSpace combined(const SplineSpace& space, const DerivativeCombination& of);
 
+/// s of y, over the parts of a motion. Throws ModelError for a part that is neither dwell nor spline.
+[[nodiscard]] MotionChain combined(const MotionChain& motion, const DerivativeCombination& of);
+
 /// y with combined(y) = s, over the parts of a motion: dwells and splines that are neither scaled nor
 /// mirrored. Throws ModelError for other parts.
 [[nodiscard]] MotionChain solved(const MotionChain& motion, const DerivativeCombination& of);

@@ -155,13 +155,15 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
                                                  double slack) const {
     std::vector<Violation> found;
     const MotionChain chain = motion(x);
-    const std::optional<MotionChain> of_cam =
-        model_->cam_motion ? std::optional(cam_motion(x)) : std::nullopt;
+    std::map<SeenMotion, MotionChain> others;  // where rules see another one
+    for (const PlacedRule& rule : model_->rules)
+        if (model_->sees_other(rule) && !others.contains(rule.seen))
+            others.emplace(rule.seen, motion(x, rule.seen));
     const Eigen::VectorXd q = x.tail(static_cast<Eigen::Index>(model_->parameters.size()));
     for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
         const PlacedRule& rule = model_->rules[r];
         if (limits_only && !rule->limit()) continue;
-        const MotionChain& own = model_->sees_cam(rule) ? *of_cam : chain;
+        const MotionChain& own = model_->sees_other(rule) ? others.at(rule.seen) : chain;
         if (const WholeMotionRule* const whole = rule->whole()) {
             for (WholeMotionRule::Place& place : whole->maxima(own, own_parameters(r, x)))
                 if (const double amount = place.where.value / rule->scale(); amount > -slack)

@@ -169,8 +169,8 @@ class CamProblem final : public ContinuousProblem {
         return model_->design.motion(design_values(x));
     }
     /// The same unless the output's motion is prescribed.
-    [[nodiscard]] MotionChain cam_motion(const Eigen::VectorXd& x) const {
-        return model_->cam_family().motion(design_values(x));
+    [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x, SeenMotion seen) const {
+        return model_->family_of(seen).motion(design_values(x));
     }
     /// The spline of the first run: all of it for DRD and RR.
     [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const {

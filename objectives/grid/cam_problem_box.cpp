@@ -51,7 +51,7 @@ double limited_derivative(const CamModel& model, int order) {
         for (const PlacedRule& rule : model.rules) {
             const bool whole = (rule.stretch < 0 || rule.stretch == s) && rule.from <= stretches[s].begin &&
                                rule.until >= stretches[s].end;
-            if (!whole || model.sees_cam(rule) || !rule->limit() || !rule->linear() ||
+            if (!whole || model.sees_other(rule) || !rule->limit() || !rule->linear() ||
                 !rule->parameters().empty() || rule->highest_order() != order ||
                 dynamic_cast<const LinearRule*>(rule.rule.get()) == nullptr)
                 continue;
@@ -278,7 +278,7 @@ std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
     SlopeRange slope{-known.sup[1], known.sup[1]};
     for (const PlacedRule& rule : model_->rules) {
         // Without an incumbent the limits need not be satisfied.
-        if (!std::isfinite(incumbent) || !rule.holds_everywhere() || model_->sees_cam(rule)) continue;
+        if (!std::isfinite(incumbent) || !rule.holds_everywhere() || model_->sees_other(rule)) continue;
         const SlopeRange own = rule->slope_range();
         slope.least = std::max(slope.least, own.least - relaxed_limits * std::abs(own.least));
         slope.most = std::min(slope.most, own.most + relaxed_limits * std::abs(own.most));

@@ -164,14 +164,13 @@ void CamProblem::complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x
 
 /// The response of the follower train or of the motor to the motion.
 void CamProblem::complete_responses(Eigen::VectorXd& x) const {
-    const MotionChain of_output = motion(x), of_cam = cam_motion(x);
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         if (parameter.kind != Parameter::Kind::response && parameter.kind != Parameter::Kind::energy)
             continue;
         double largest = parameter.lower;
-        for (const auto& place : parameter.defined_by->whole()->maxima(parameter.of_cam ? of_cam : of_output,
-                                                                       Eigen::VectorXd::Zero(1)))
+        const MotionChain chain = motion(x, parameter.seen);
+        for (const auto& place : parameter.defined_by->whole()->maxima(chain, Eigen::VectorXd::Zero(1)))
             largest = std::max(largest, place.where.value);
         x[model_->design.size() + static_cast<Eigen::Index>(p)] = largest;
     }

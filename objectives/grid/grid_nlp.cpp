@@ -21,7 +21,7 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
 QuadraticForm scaled_form(const CamModel& model, const Parameter& parameter) {
     const bool energy = parameter.kind == Parameter::Kind::energy;
     QuadraticForm form =
-        energy ? parameter.defined_by->whole()->form(model.family_of(parameter.of_cam)).value()
+        energy ? parameter.defined_by->whole()->form(model.family_of(parameter.seen)).value()
                : model.design.mean_square(parameter.order, model.mean_square_weights(parameter.order));
     const double factor = 1.0 / (parameter.reference * parameter.reference);
     form.scale(energy ? 1.0 : factor, design_scales(model));

@@ -61,7 +61,7 @@ PlacedRule LinearBound::rule() const {
     PlacedRule placed(std::make_shared<const LinearRule>(*this), stretch);
     placed.datum = datum;
     placed.on_copies = on_copies;
-    placed.of_cam = of_cam;
+    placed.seen = seen;
     return placed;
 }
 

@@ -26,7 +26,7 @@ struct LinearBound {
     int stretch = -1;                           ///< of the family; −1: any
     PlacedRule::Datum datum = PlacedRule::Datum::zero;
     bool on_copies = false;  ///< as in PlacedRule
-    bool of_cam = false;     ///< likewise
+    SeenMotion seen = SeenMotion::output;
 
     bool starts_without_rows = false;  ///< as in RuleData
     /// Of a rule that is active at both ends of a stroke, from `begin` to `end`, and leaves its bound with

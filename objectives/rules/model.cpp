@@ -10,7 +10,7 @@ double measured_displacement(double displacement) {
 
 std::array<double, 2> CamModel::seen_range(const PlacedRule& rule, std::array<double, 2> y,
                                            const std::array<double, 2>& sup) const {
-    if (!sees_cam(rule)) return y;
+    if (!sees_other(rule)) return y;
     const auto& [by_y, by_slope, by_bend] = to_cam.weights;
     double beside = 0.0;  // 0 · ∞ is 0 here
     if (by_slope != 0.0) beside += std::abs(by_slope) * sup[0];

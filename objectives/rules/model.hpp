@@ -58,6 +58,10 @@ inline constexpr double least_rms = 1e-4;
 /// In lifts: no cam follows a motion beyond this range, so proofs need not cover it.
 inline constexpr double farthest_displacement = 1e3;
 
+/// What a rule sees where the output's motion is prescribed (CamModel); else they are one. torque: the motion
+/// whose acceleration takes the torque of a motor that moves the output through a spring.
+enum class SeenMotion { output, cam, torque };
+
 /// A variable besides the design vector: a peak, the torque peak max |y' y''|, a root mean square, a
 /// dimension of the cam, the magnitude of another parameter, the peak of a user-defined term, a response of
 /// an elastic follower train or of a motor (the lost area is one too), or a root mean square of that.
@@ -72,7 +76,7 @@ struct Parameter {
     /// own, response, energy: its definition, also where a relaxation omits the rule; of an energy the only
     /// place, for it has no row.
     std::shared_ptr<const PointRule> defined_by = {};
-    bool of_cam = false;  ///< response, energy: of the cam's motion, as PlacedRule::of_cam
+    SeenMotion seen = SeenMotion::output;  ///< response, energy: of which motion
 };
 
 /// A rule and where it holds.
@@ -85,7 +89,7 @@ struct PlacedRule {
     double from = -infinity, until = infinity;  ///< x between which it holds
     Datum datum = Datum::zero;
     bool on_copies = false;  ///< on every copy of a stretch: it depends on the cam angle
-    bool of_cam = false;     ///< it sees the cam's motion where the output's is prescribed (CamModel)
+    SeenMotion seen = SeenMotion::output;
 
     template <typename Rule>
     PlacedRule(std::shared_ptr<Rule> what, int where = -1)  // NOLINT(google-explicit-constructor)
@@ -150,9 +154,9 @@ struct CamModel {
     explicit CamModel(MotionFamily motions) : design(std::move(motions)) {}
 
     MotionFamily design;
-    /// Where the output's motion is prescribed: that of the cam, by the same entries. Rules of the cam see
-    /// it; `design` is what the objective and the conditions are about.
-    std::optional<MotionFamily> cam_motion;
+    /// Where the output's motion is prescribed: those of the cam and of the torque, by the same entries.
+    /// Rules see them by SeenMotion; `design` is what the objective and the conditions are about.
+    std::optional<MotionFamily> cam_motion, torque_motion;
     DerivativeCombination to_cam;  ///< of `design`: what makes it the cam's
     std::vector<Parameter> parameters;
     std::vector<PlacedRule> rules;
@@ -183,16 +187,17 @@ struct CamModel {
                                                    const std::array<double, 2>& sup) const;
     /// The same as far as it is expected: where rules are expected to be convex.
     [[nodiscard]] std::array<double, 2> expected_range(const PlacedRule& rule) const;
-    /// Whether it is the cam's motion that a rule sees, and not that of `design`.
-    [[nodiscard]] bool sees_cam(const PlacedRule& rule) const { return rule.of_cam && cam_motion; }
-    [[nodiscard]] const MotionFamily& family_of(bool cam) const {
-        return cam && cam_motion ? *cam_motion : design;
+    /// Whether a rule sees another motion than `design`.
+    [[nodiscard]] bool sees_other(const PlacedRule& rule) const {
+        return cam_motion && rule.seen != SeenMotion::output;
     }
-    [[nodiscard]] const MotionFamily& family_of(const PlacedRule& rule) const {
-        return family_of(rule.of_cam);
+    [[nodiscard]] const MotionFamily& family_of(SeenMotion seen) const {
+        if (!cam_motion || seen == SeenMotion::output) return design;
+        return seen == SeenMotion::torque && torque_motion ? *torque_motion : *cam_motion;
     }
+    [[nodiscard]] const MotionFamily& family_of(const PlacedRule& rule) const { return family_of(rule.seen); }
     /// The cam's motions: those of `design` unless the output's are prescribed.
-    [[nodiscard]] const MotionFamily& cam_family() const { return family_of(true); }
+    [[nodiscard]] const MotionFamily& cam_family() const { return family_of(SeenMotion::cam); }
 
     [[nodiscard]] StretchScale stretch_scale(int stretch) const {
         return stretch_scales.empty() ? StretchScale{} : stretch_scales[static_cast<std::size_t>(stretch)];

@@ -27,8 +27,12 @@ std::string header(const Columns& columns) {
 
 /// A row as the columns read it, of its first station, by the angle of the cam.
 TableRow table_row(const View& view, const DeliveredRow& row) {
-    return {view.units.degrees_per_x * row.x, row.motion, row.cam.empty() ? nullptr : &row.cam.front(),
-            row.loads.value_or(FollowerLoads()), row.drive.value_or(DrivePoint()), row.output};
+    return {view.units.degrees_per_x * row.x,
+            row.motion,
+            row.cam.empty() ? nullptr : &row.cam.front(),
+            row.loads.value_or(FollowerLoads()),
+            row.drive.value_or(DrivePoint()),
+            row.output};
 }
 
 void add_cells(CsvLine& line, const View& view, const Columns& columns, const DeliveredRow& row) {
@@ -232,7 +236,7 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
         row.output = output_at(solution, x, side);
         if (plane) row.cam = &view.delivered.cam->at(row.motion, 0);
         if (loads) row.loads = loads(row.motion, *view.delivered.cam);
-        if (drive) row.drive = drive->at(row.motion, side);
+        if (drive) row.drive = drive->at(row.motion, side, row.output ? &*row.output : nullptr);
         if (!next) row.motion.derivative[0] -= travel;
         for (std::size_t i = 0; i < columns.size(); ++i)
             table.text += (i == 0 ? "" : ",") + cell_text(columns[i]->value(spec, row), options.digits);

@@ -89,6 +89,28 @@ Fault motion_for_response_fault(const Scene& scene) {
     return std::nullopt;
 }
 
+/// What a motor that moves a prescribed output through a spring leaves out.
+Fault elastic_load_fault(const Scene& scene) {
+    const DriveSpec& drive = *scene.drive;
+    const DynamicsSpec& train = *scene.dynamics;
+    const auto fault = [](const char* member, double value, const char* allowed) -> Fault {
+        return SceneFault{member, fmt::format("{} with dynamics.prescribe = \"output\"", value), allowed};
+    };
+    if (drive.viscous != 0.0) return fault("drive.viscous", drive.viscous, "0: torque by acceleration alone");
+    if (drive.friction != 0.0)
+        return fault("drive.friction", drive.friction, "0: the motor may turn back while the output goes on");
+    if (train.return_stiffness != 0.0)
+        return fault("dynamics.return_spring", train.return_stiffness, "0 next to a [drive]");
+    if (train.ground_damping != 0.0)
+        return fault("dynamics.ground_damping", train.ground_damping, "0 next to a [drive]");
+    if (train.preload != 0.0)
+        return fault("dynamics.preload", train.preload, "0: a constant load is drive.force");
+    if (!scene.limits.motor_curve.empty())
+        return SceneFault{"limits.motor_curve", "a torque-speed curve with dynamics.prescribe = \"output\"",
+                          "limits.motor_torque and limits.motor_speed"};
+    return std::nullopt;
+}
+
 /// What the cam of a prescribed output needs, and what was not thought through together with it.
 Fault prescribed_output_fault(const Scene& scene) {
     constexpr const char* member = "dynamics.prescribe";
@@ -118,8 +140,7 @@ Fault prescribed_output_fault(const Scene& scene) {
             "tolerance", "tolerances with dynamics.prescribe = \"output\"",
             "without one of the two: what an error of the cam does to the output is a vibration"};
     if (scene.drive)
-        return SceneFault{"drive", "a motor with dynamics.prescribe = \"output\"",
-                          "a cam, or the motion alone"};
+        if (Fault fault = elastic_load_fault(scene)) return fault;
     if (scene.is_given())
         return SceneFault{member, found("with a given cam"),
                           "\"cam\": the motion of a given cam is the cam's"};

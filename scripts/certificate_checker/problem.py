@@ -71,6 +71,8 @@ class Problem:
             stiffness = mass * number(given["natural_frequency_rad_s"])**2 - back
         else:
             stiffness = number(given["stiffness_n_m"])
+        if "drive" in self.scene:
+            raise Unverified("a motor that moves a prescribed output")
         if given.get("stage") or any(key.startswith("ground_damping") for key in given):
             raise Unverified("an output prescribed with stages or with a damper to ground")
         self.to_cam = (1 + back / stiffness, Fraction(0), mass / stiffness * self.turns_per_second()**2)

@@ -57,7 +57,7 @@ void Bounder::add_place(double at, Side side) {
 /// With the rules that see the same motion.
 void Bounder::add_place(double at, Side side, bool of_cam) {
     const CamModel& model = whole_.model();
-    const MotionFamily& family = model.family_of(of_cam);
+    const MotionFamily& family = model.family_of(of_cam ? SeenMotion::cam : SeenMotion::output);
     const int variables = whole_.grid().shape().variables();
     const MotionFamily::Piece& piece = family.pieces()[static_cast<std::size_t>(family.piece_of(at, side))];
     for (const Place& place : places_)
@@ -70,7 +70,7 @@ void Bounder::add_place(double at, Side side, bool of_cam) {
     place.of_cam = of_cam;
     for (int r = 0; r < static_cast<int>(model.rules.size()); ++r) {
         const PlacedRule& rule = model.rules[static_cast<std::size_t>(r)];
-        if (model.sees_cam(rule) != of_cam) continue;
+        if (model.sees_other(rule) != of_cam) continue;
         if (!can_be_bounded(*rule) || !rule.holds_on(piece) || !rule.holds_at(at)) continue;
         const std::vector<double>& only = rule->places();
         if (!only.empty() && std::ranges::find(only, at) == only.end()) continue;

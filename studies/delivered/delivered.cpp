@@ -120,7 +120,8 @@ Delivered sample_delivered(const Solution& solution) {
         add(*solution.motion, row, false);
     if (solution.drive) {
         const DriveAlong along(solution.scene);
-        for (DeliveredRow& row : all.rows) row.drive = along.at(row.motion, row.side);
+        for (DeliveredRow& row : all.rows)
+            row.drive = along.at(row.motion, row.side, row.output ? &*row.output : nullptr);
     }
     if (!solution.cam) return all;
     all.whole = cam_motion(solution);

@@ -4,6 +4,7 @@
 #include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
+#include "objectives/scene_family.hpp"
 #include "objectives/spring_rules.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -156,8 +157,13 @@ LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const Constrai
 std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion, const Motion& cam) {
     std::vector<ConstraintReport> all;
     double nearest = 0.0;  // of the bounds with one key: how far the motion exceeds it, by its scale
+    const auto seen = [&](SeenMotion which, const WrittenBound& bound) {
+        if (which == SeenMotion::output || !scene.prescribes_output()) return extreme_of(bound, motion);
+        if (which == SeenMotion::cam) return extreme_of(bound, cam);
+        return extreme_of(bound, combined(dynamic_cast<const MotionChain&>(motion), torque_of_output(scene)));
+    };
     for (const WrittenBound& bound : motion_bounds(scene)) {
-        const Extremum worst = extreme_of(bound, bound.of_cam ? cam : motion);
+        const Extremum worst = seen(bound.seen, bound);
         const double excess = (worst.value - bound.bound) / bound.scale;
         const bool same = !all.empty() && all.back().key == bound.key;
         if (same && excess <= nearest) continue;

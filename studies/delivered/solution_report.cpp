@@ -177,7 +177,7 @@ void report_delivered(Solution& solution, MotionAndCam delivered) {
     const std::vector<ConstraintReport> own = own_constraints(solution.scene, solution.output_motion());
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
     report_responses(solution);
-    if (solution.scene.drive) solution.drive = drive_figures(solution.scene, *solution.motion);
+    if (solution.scene.drive) solution.drive = drive_figures(solution.scene, solution.output_motion());
     if (solution.scene.forces && solution.scene.forces->spring_frequency)
         solution.surge = surge_report(solution.scene, *solution.motion);
     judge_activity(solution);
@@ -204,7 +204,7 @@ void set_scene(Solution& solution, Scene scene) {
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
     const CamModel& model = problem.model();
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
-    MotionAndCam delivered{std::make_shared<const MotionChain>(problem.cam_motion(x)), {}};
+    MotionAndCam delivered{std::make_shared<const MotionChain>(problem.motion(x, SeenMotion::cam)), {}};
     std::vector<std::string> spring;
     std::vector<double> chosen;
     if (model.cam) {

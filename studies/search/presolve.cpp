@@ -177,7 +177,7 @@ void report_contradictions(Solution& solution, const MotionFamily& family) {
 std::optional<RestConflict> rest_conflict(const CamModel& model, double tolerance) {
     std::optional<RestConflict> worst;
     for (const PlacedRule& rule : model.rules) {
-        if (!speaks_of_rest(rule) || model.sees_cam(rule)) continue;
+        if (!speaks_of_rest(rule) || model.sees_other(rule)) continue;
         for (const KnownPoint& known : model.known_points) {
             if (!known.at_rest || !holds_at(*rule, known.x)) continue;
             const double value = rule->evaluate({known.x, {known.y, 0.0, 0.0, 0.0}}, {}).value;
