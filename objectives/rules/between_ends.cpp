@@ -2,7 +2,7 @@
 #include "objectives/rules/between_ends.hpp"
 
 #include "objectives/rules/cam_limits.hpp"
-#include "splines/motion_chain.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 
 namespace camopt {
 
@@ -28,7 +28,9 @@ double magnitude(const Interval& a) {
     return std::max(std::abs(a.lower), std::abs(a.upper));
 }
 
-/// One rule along one part of the motion between two breakpoints.
+using piece_maxima::SmoothPiece, piece_maxima::ranges_on;
+
+/// One rule along pieces of the motion between two breakpoints.
 class Search {
  public:
     Search(BetweenEnds& found, const FreeCam& cam, const std::array<double, motion_errors>& errors,
@@ -40,9 +42,8 @@ class Search {
           scale_(found.rule->scale()),
           effort_(effort) {}
 
-    void run(const ChainPart& part, const Interval& x) {
-        part_ = &part;
-        whole_ = x;
+    void run(const SmoothPiece& piece, const Interval& x) {
+        piece_ = &piece;
         BoxOfErrors all{x, {}};
         for (std::size_t i = 0; i < errors_in_all_; ++i)
             all.parts[i] = i < motion_errors && errors_[i] == 0.0 ? Interval(1.0) : Interval(-1.0, 1.0);
@@ -65,8 +66,7 @@ class Search {
     std::size_t errors_in_all_;
     double scale_;
     int& effort_;
-    const ChainPart* part_ = nullptr;
-    Interval whole_;
+    const SmoothPiece* piece_ = nullptr;
     double best_ = -far_below;  ///< so far
     std::vector<BoxOfErrors> open_;
 
@@ -75,7 +75,7 @@ class Search {
         Interval by_x;  ///< without an explicit x
     };
     [[nodiscard]] std::optional<Enclosed> over(const BoxOfErrors& box) const {
-        const auto y = ranges_of(*part_, box.x);
+        const auto y = ranges_on(*piece_, box.x);
         if (!y) return {};
         std::vector<Interval> states(4 + cam_.places.size());
         for (std::size_t r = 0; r < 4; ++r)
@@ -105,7 +105,7 @@ class Search {
     /// The rule itself at one cam and one x.
     [[nodiscard]] RuleValue value(const BoxOfErrors& point) const {
         const double x = middle_of(point.x);
-        const auto y = ranges_of(*part_, Interval(x));
+        const auto y = ranges_on(*piece_, Interval(x));
         MotionPoint state{x, {}};
         for (std::size_t r = 0; r < 4; ++r)
             state.derivative[r] =
@@ -224,22 +224,15 @@ class Search {
     }
 };
 
-/// The stretches of a part of the motion that the rule holds on.
-std::vector<Interval> stretches_of(const ChainPart& part, const CamRule& rule) {
-    std::vector<double> ends = {part.begin, part.end};
-    if (part.shape)
-        for (const double own : part.shape->breakpoints())
-            ends.push_back(std::clamp(part.x0 + part.x_scale * own, part.begin, part.end));
-    std::ranges::sort(ends);
+/// The stretches of a piece of the motion that the rule holds on.
+std::vector<Interval> stretches_of(const SmoothPiece& piece, const CamRule& rule) {
+    const auto [begin, end] = piece.piece;
     std::vector<Interval> all;
     for (const double x : rule.places())
-        if (x >= part.begin && x <= part.end) all.emplace_back(x);
-    if (!rule.places().empty()) return all;
+        if (x >= begin && x <= end) all.emplace_back(x);
     const auto [from, until] = rule.holds_between();
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        const Interval own(std::max(ends[i], from), std::min(ends[i + 1], until));
-        if (own.width() > 0.0) all.push_back(own);
-    }
+    const Interval own(std::max(begin, from), std::min(end, until));
+    if (rule.places().empty() && own.width() > 0.0) all.push_back(own);
     return all;
 }
 
@@ -249,6 +242,10 @@ std::vector<BetweenEnds> between_ends(const Scene& scene, const CamVariables& dr
     const FreeCam free = with_free_numbers(scene, drawn);
     const std::array errors = {scene.motion_error(0), scene.motion_error(1), scene.motion_error(2)};
     const auto* chain = dynamic_cast<const MotionChain*>(&motion);
+    std::vector<SmoothPiece> pieces;
+    for (std::size_t i = 0; chain != nullptr && i < chain->parts().size(); ++i)
+        for (SmoothPiece& piece : piece_maxima::pieces_of(chain->parts()[i]))
+            pieces.push_back(std::move(piece));
     std::vector<BetweenEnds> all;
     const auto enclose = [&](const std::shared_ptr<const CamRule>& rule) {
         BetweenEnds own{rule};
@@ -256,8 +253,8 @@ std::vector<BetweenEnds> between_ends(const Scene& scene, const CamVariables& dr
         own.enclosed = chain != nullptr;
         int effort = most_boxes;
         Search search(own, free, errors, effort);
-        for (std::size_t i = 0; chain != nullptr && i < chain->parts().size(); ++i)
-            for (const Interval& x : stretches_of(chain->parts()[i], *rule)) search.run(chain->parts()[i], x);
+        for (const SmoothPiece& piece : pieces)
+            for (const Interval& x : stretches_of(piece, *rule)) search.run(piece, x);
         all.push_back(std::move(own));
     };
     for (const auto& rule : cam_limits(free.scene, free.variables))

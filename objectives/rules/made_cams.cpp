@@ -59,7 +59,6 @@ void move_number(MadeCam& made, const TolerantNumber& number, double error) {
 }
 
 constexpr std::string_view made_mark = "made ";
-constexpr std::array derivative_marks = {"s", "s'", "s''"};
 
 /// "base_radius-" at the lower end, "base_radius+0.25" between them.
 std::string word_of(std::string_view name, double part) {
@@ -81,11 +80,11 @@ MadeCam with_numbers(const Scene& scene, const CamVariables& variables,
 CamVariables with_motion(CamVariables variables, const ToleranceSpec& tolerance,
                          const std::array<double, 3>& parts) {
     std::string moved;
-    for (std::size_t order = 0; order < derivative_marks.size(); ++order) {
+    for (std::size_t order = 0; order < made_cam_marks.size(); ++order) {
         const double error = tolerance.of_motion(order);
         if (error == 0.0) continue;
         variables.motion_error[order] = parts[order] * error;
-        append_item(moved, word_of(derivative_marks[order], parts[order]), " ");
+        append_item(moved, word_of(made_cam_marks[order], parts[order]), " ");
     }
     if (!variables.made.empty()) append_item(moved, variables.made);
     variables.made = moved.empty() ? moved : std::string(made_mark) + moved;
@@ -181,7 +180,7 @@ void visit_made_cams(const Scene& scene, const CamVariables& variables, const Ma
         std::vector<double> parts;
         for (std::size_t k = 0; k < numbers.size(); ++k) parts.push_back(end_of(ends, k));
         const MadeCam made = with_numbers(scene, variables, numbers, parts);
-        for (unsigned motion = 0; motion < (1U << derivative_marks.size()); ++motion)
+        for (unsigned motion = 0; motion < (1U << made_cam_marks.size()); ++motion)
             if (const auto own = motion_ends(tolerance, motion))
                 visit(made.scene, with_motion(made.variables, tolerance, *own));
     }

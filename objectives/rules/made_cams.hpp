@@ -17,6 +17,9 @@
 
 namespace camopt {
 
+/// The errors of s, s', s'' in the words for made cams.
+inline constexpr std::array made_cam_marks = {"s", "s'", "s''"};
+
 /// Of the scene and the cam of each choice of ends: numbers are moved, CamVariables::motion_error is set.
 using MadeCamVisit = std::function<void(const Scene& scene, const CamVariables& made)>;
 

@@ -54,9 +54,7 @@ std::vector<std::string> deciding_sentences(const ToleranceReport& report) {
 
 /// Which cam, from its name in rows: "the slope error at its upper end and the tolerance of the base radius
 /// at its lower end".
-std::string words_of_cam(std::string cam) {
-    constexpr std::string_view mark = "made ";
-    cam.erase(0, std::min(mark.size(), cam.size()));
+std::string words_of_cam(const std::string& cam) {
     constexpr std::array motions = {std::pair{"s''", "acceleration"}, std::pair{"s'", "slope"},
                                     std::pair{"s", "profile"}};
     std::vector<std::string> parts;

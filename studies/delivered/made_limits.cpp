@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/made_limits.hpp"
 
+#include "core/text/list_text.hpp"
+#include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/made_cams.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/cam_report.hpp"
@@ -44,6 +46,42 @@ std::array<double, 3> normalised(const std::array<double, 3>& errors, const Moti
     for (std::size_t order = 0; order < own.size(); ++order)
         own[order] = errors[order] * std::pow(scale.unit_angle, static_cast<double>(order)) / scale.lift;
     return own;
+}
+
+/// By the key of a limit: the errors that move it somewhere, as the words of made cams name them.
+std::map<std::string, std::set<std::string>> errors_of_limits(const Scene& scene, const CamVariables& drawn,
+                                                              const Motion& motion) {
+    constexpr int places = 24;
+    const FreeCam free = with_free_numbers(scene, drawn);
+    std::vector<std::string> numbers;
+    for (const auto& entry : scene.tolerance->numbers) numbers.push_back(entry.first);
+    std::map<std::string, std::set<std::string>> all;
+    for (const auto& rule : cam_limits(free.scene, free.variables)) {
+        std::set<std::string>& own = all[rule->name()];
+        if (rule->highest_order() == 0) own.insert("s'");  // at rest the slope is that of the made cam
+        const auto count = static_cast<Eigen::Index>(rule->parameters().size());
+        for (const double x : even_places(motion.breakpoints(), places)) {
+            const RuleValue here = rule->evaluate(motion_at(motion, x), Eigen::VectorXd::Zero(count));
+            for (std::size_t order = 0; order < made_cam_marks.size(); ++order)
+                if (here.gradient[static_cast<Eigen::Index>(order)] != 0.0) own.insert(made_cam_marks[order]);
+            for (Eigen::Index k = 0; k < count; ++k)
+                if (here.gradient[4 + k] != 0.0)
+                    own.insert(numbers[free.places[static_cast<std::size_t>(k)]]);
+        }
+    }
+    return all;
+}
+
+/// The name of a made cam without the errors that do not matter.
+std::string with_errors(const std::string& cam, const std::set<std::string>& which) {
+    std::string kept;
+    for (std::size_t begin = cam.find(' ') + 1; begin != 0 && begin < cam.size();) {
+        const std::size_t end = std::min(cam.find_first_of(" ,", begin), cam.size());
+        const std::string word = cam.substr(begin, end - begin);
+        if (which.contains(word.substr(0, word.find_first_of("+-")))) append_item(kept, word, " ");
+        begin = std::min(cam.find_first_not_of(" ,", end), cam.size());
+    }
+    return kept;
 }
 
 void keep_worse(std::vector<ConstraintReport>& all, ConstraintReport one) {
@@ -142,12 +180,17 @@ void hold_for_made_cams(Solution& solution) {
                 own.made_at = own.at;
             }
     if (!solution.cam) return;
+    CamVariables drawn;
+    drawn.cam = solution.cam->cam;
+    drawn.scale = {scene.motion.lift, scene.motion.unit_angle()};
+    const auto errors = errors_of_limits(scene, drawn, *solution.motion);
     for (const ConstraintReport& made : made_constraints(solution, scene, solution.cam->limits_along))
         for (ConstraintReport& own : solution.constraints)
             if (own.key == made.key) {
                 own.made = made.worst;
                 own.made_at = made.made_at;
-                own.made_cam = made.made_cam;
+                const auto which = errors.find(made.key);
+                if (which != errors.end()) own.made_cam = with_errors(made.made_cam, which->second);
             }
 }
 
