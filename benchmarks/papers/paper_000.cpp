@@ -12,8 +12,7 @@ std::vector<std::string> assumptions() {
         "would show them are not in our copy.",
         "The rocker is one member of a family that fits Table 1 equally well: L1 = 15 in, pin 9 deg above "
         "the body's x axis.",
-        "Reference guide of the checks: x0 = 5.25, R1 = 9.92, R2 = 10.67 in, beta = 9 deg, round values "
-        "near the recovered ones. Radius of the roller: 0.5 in.",
+        "Radius of the roller: 0.5 in.",
         "Long path of the best guide: the roller from 3 to 13.9 in.",
     };
 }
@@ -36,7 +35,9 @@ std::vector<std::string> notes() {
         "Both strokes start and end at rest at the same place with a constant acceleration, so on one guide "
         "the return is the forward motion run backwards, 1.58 times as fast: velocities times 1.58, "
         "accelerations times 2.4964. The best guide of one stroke is the best of both.",
-        "The best motions are proved optimal among cubic splines of 24 segments for the weights of "
+        "All of it follows from scenes/given_guide_forward.toml and given_guide_return.toml; the best "
+        "motions "
+        "are proved optimal among cubic splines of 24 segments for the weights of "
         "velocity, acceleration and jerk named (divided by the modified sine's peaks); the guide follows "
         "from the motion in closed form.",
     };

@@ -1,121 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/papers/paper_000_parts.hpp"
 
-#include "benchmarks/papers/guide.hpp"
-#include "benchmarks/papers/paper_guide.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 
 namespace camopt::feeding_paper {
 
-namespace {
-
 using units::degree, units::inch;
-constexpr double turning_time = 0.158;   // s, forward stroke
-constexpr double sample_step = 0.00158;  // s, its hundredth part
-constexpr double guide_end = 14.0;       // inch; the roller turns at 13.982
-
-using units::degree, units::inch;
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-
-struct Stroke {
-    std::string title;
-    Guide guide;
-    RollerStroke law;
-};
-
-std::vector<Stroke> strokes() {
-    const RollerLaw law = roller_law();
-    return {{"forward", make_g1_guide(forward_guide()), law.strokes()[0]},
-            {"return", make_g1_guide(return_guide()), law.strokes()[1]}};
-}
-
-/// A quantity over the time of one stroke; where the guide's joints make it jump, the line is drawn as a
-/// step.
-PaperSeries over_time(const Stroke& stroke, const std::function<double(const InverseState&)>& quantity) {
-    constexpr int points = 600;
-    PaperSeries series{stroke.title, {}, {}};
-    for (int i = 0; i <= points; ++i) {
-        const double time = stroke.law.begin + (stroke.law.end - stroke.law.begin) * i / points;
-        const InverseState state = inverse_state(stroke.guide, linkage(), state_of(stroke.law, time));
-        series.x.push_back(time);
-        series.y.push_back(state.fault == InverseFault::none ? quantity(state) : gap);
-    }
-    return series;
-}
-
-PaperFigure time_figure(const std::string& key, const std::string& title, const std::string& y_title,
-                        const std::function<double(const InverseState&)>& quantity) {
-    PaperFigure figure{key, title, "time [s]", y_title, {}};
-    for (const Stroke& stroke : strokes()) figure.series.push_back(over_time(stroke, quantity));
-    return figure;
-}
-
-PaperSeries printed_points(int column) {
-    PaperSeries series{"printed in Table 1", {}, {}, true};
-    for (const PrintedRow& row : printed_rows()) {
-        series.x.push_back(instant_of(row.time));
-        series.y.push_back(required_number(row.cells[static_cast<std::size_t>(column)]));
-    }
-    return series;
-}
-
-/// theta'' of the paper's method at its 100 steps of the forward stroke.
-PaperSeries node_accelerations() {
-    const Stroke forward = strokes().front();
-    PaperSeries series{"forward, 101 nodes and central differences", {}, {}, true};
-    const auto rows = node_method(forward.guide, forward.law, 101);
-    for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
-        series.x.push_back(rows[i].time);
-        series.y.push_back(rows[i].body.acceleration);
-    }
-    return series;
-}
-
-PaperSeries points_of(const std::string& title, const std::vector<Eigen::Vector2d>& points) {
-    PaperSeries series{title, {}, {}};
-    for (const Eigen::Vector2d& point : points) {
-        series.x.push_back(point.x() / inch);
-        series.y.push_back(point.y() / inch);
-    }
-    return series;
-}
-
-Eigen::Vector2d turned(const Eigen::Vector2d& point, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * point.x() - s * point.y(), s * point.x() + c * point.y()};
-}
-
-/// The machine at one time of the forward stroke: guide, pin, rocker, feeder.
-void add_pose(PaperFigure& figure, double time, const std::string& title) {
-    const Stroke forward = strokes().front();
-    const InverseState state = inverse_state(forward.guide, linkage(), state_of(forward.law, time));
-    std::vector<Eigen::Vector2d> guide;
-    for (const Eigen::Vector2d& point : guide_points(forward.guide, 200).points)
-        guide.push_back(turned(point, state.body.angle));
-    figure.series.push_back(points_of("guide, " + title, guide));
-    const Eigen::Vector2d pivot = linkage().rocker_pivot;
-    const Eigen::Vector2d feeder_point(pivot.x() + linkage().feeder_offset, state.feeder.feeder.s);
-    figure.series.push_back(
-        points_of("pin, rocker, feeder, " + title, {{0.0, 0.0}, state.feeder.pin, pivot, feeder_point}));
-    PaperSeries roller = points_of("roller, " + title, {{state.roller.distance, 0.0}});
-    roller.markers = true;
-    figure.series.push_back(roller);
-}
-
-PaperFigure machine_figure() {
-    PaperFigure figure{"machine",
-                       "The machine at 0.100 s (L = 6.5 in) and at 0.158 s (L = 13.98 in)",
-                       "x [in]",
-                       "y [in]",
-                       {}};
-    figure.equal_scales = true;
-    add_pose(figure, 0.1, "0.100 s");
-    add_pose(figure, 0.158, "0.158 s");
-    return figure;
-}
-
-}  // namespace
 
 const ColumnInfo& column_info(int column) {
     static constexpr std::array<ColumnInfo, columns> table = {{{"L", "in", inch},
@@ -163,33 +54,16 @@ std::span<const Misprint> misprints() {
     return table;
 }
 
-RollerLaw roller_law() {
-    return RollerLaw({{0.0, turning_time, 0.0, 1.5 * inch, 0.0, 1000.0 * inch},
-                      {turning_time, 0.258, 0.258, 1.5 * inch, 0.0, 2496.4 * inch}});
-}
-
-G1GuideDimensions forward_guide() {
-    return {5.24986 * inch, 9.9190 * inch, 10.6696 * inch, 9.017 * degree, 1.5 * inch, guide_end * inch};
-}
-
-G1GuideDimensions return_guide() {
-    return {4.99997 * inch, 10.0922 * inch, 11.7604 * inch, 8.9820 * degree, 1.5 * inch, guide_end * inch};
-}
-
-FeederLinkage linkage() {
-    return {15.0 * inch, 9.0 * degree, {18.3756 * inch, 0.93306 * inch}, 4.0 * inch};
-}
-
 double instant_of(std::string_view time) {
+    constexpr double sample_step = 0.00158;  // s, the hundredth part of the forward stroke
     const double printed = required_number(time);
     return printed < turning_time ? sample_step * std::round(printed / sample_step) : printed;
 }
 
 std::array<double, columns> computed_row(const PrintedRow& row) {
     const double time = instant_of(row.time);
-    const Guide guide = make_g1_guide(time < turning_time ? forward_guide() : return_guide());
-    const InverseState state = inverse_state(guide, linkage(), roller_law().at(time));
-    const FollowerState& y = state.feeder.feeder;
+    const FeederState state = stroke_at(time).at(time);
+    const FollowerState& y = state.feeder;
     std::array<double, columns> values = {state.roller.distance,
                                           state.body.angle,
                                           state.body.velocity,
@@ -223,27 +97,6 @@ Agreement agreement() {
         }
     }
     return result;
-}
-
-std::vector<PaperFigure> printed_figures() {
-    std::vector<PaperFigure> figures = {
-        machine_figure(),
-        time_figure("figure_9_angle", "Fig. 9: angle of the cam", "θ [deg]",
-                    [](const InverseState& s) { return s.body.angle / degree; }),
-        time_figure("figure_9_velocity", "Fig. 9: angular velocity of the cam", "θ′ [rad/s]",
-                    [](const InverseState& s) { return s.body.velocity; }),
-        time_figure("figure_9_acceleration", "Fig. 9: angular acceleration of the cam", "θ″ [rad/s²]",
-                    [](const InverseState& s) { return s.body.acceleration; }),
-        time_figure("figure_10_position", "Fig. 10: place of the feeder", "Y [in]",
-                    [](const InverseState& s) { return s.feeder.feeder.s / inch; }),
-        time_figure("figure_10_velocity", "Fig. 10: velocity of the feeder", "Y′ [in/s]",
-                    [](const InverseState& s) { return s.feeder.feeder.velocity / inch; }),
-        time_figure("figure_10_acceleration", "Fig. 10: acceleration of the feeder", "Y″ [in/s²]",
-                    [](const InverseState& s) { return s.feeder.feeder.acceleration / inch; })};
-    for (int i = theta; i < columns; ++i)
-        figures[static_cast<std::size_t>(i)].series.push_back(printed_points(i));
-    figures[static_cast<std::size_t>(theta_acceleration)].series.push_back(node_accelerations());
-    return figures;
 }
 
 }  // namespace camopt::feeding_paper

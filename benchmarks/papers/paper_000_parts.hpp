@@ -2,20 +2,18 @@
 // Private to benchmarks/papers/: the parts of the report on paper 000, one source each.
 #pragma once
 
-#include "benchmarks/papers/guided_feeder.hpp"
-#include "benchmarks/papers/paper_guide.hpp"
+#include "benchmarks/papers/feeder_strokes.hpp"
 #include "benchmarks/papers/papers.hpp"
-#include "profiles/inverse/inverse_mechanism.hpp"
 
 namespace camopt::feeding_paper {
 
-// What the paper on the curvilinear inverse cam prints, and the machine recovered from it. Display units:
-// inch, s, deg, rad/s.
+// What the paper on the curvilinear inverse cam prints, beside the machine of the scene files
+// (feeder_strokes.hpp). Display units: inch, s, deg, rad/s.
 //
 // Table 1 is given as printed, misprints included. The paper gives neither the guide's dimensions nor the
-// rocker's: the guides are fits to Table 1's theta, theta', theta'' (8 parameters against 20 numbers, 4 of
-// the 24 left out after their residuals were seen), and of the one-parameter family of rockers that fit
-// equally one member was chosen.
+// rocker's: the guides of the scenes are fits to Table 1's theta, theta', theta'' (8 parameters against 20
+// numbers, 4 of the 24 left out after their residuals were seen), and of the one-parameter family of rockers
+// that fit equally one member was chosen.
 
 /// Columns of Table 1 after the time.
 enum Column {
@@ -52,13 +50,6 @@ struct Misprint {
 };
 [[nodiscard]] std::span<const Misprint> misprints();
 
-/// Forward up to 0.158 s, then back; the return is a deceleration (recovered).
-[[nodiscard]] RollerLaw roller_law();
-/// The machine of the stroke to which the time belongs. No single guide makes both strokes.
-[[nodiscard]] G1GuideDimensions forward_guide();
-[[nodiscard]] G1GuideDimensions return_guide();
-[[nodiscard]] FeederLinkage linkage();
-
 /// The instant that a printed time stands for: forward rows are samples i · 0.00158 s.
 [[nodiscard]] double instant_of(std::string_view time);
 
@@ -76,13 +67,13 @@ struct Agreement {
 };
 [[nodiscard]] Agreement agreement();
 
-/// Table 1 beside ours, its misprints, the counts, the recovered dimensions (paper_000_checks.cpp).
+/// Table 1 beside ours, its misprints, the counts, the recovered dimensions (paper_000_tables.cpp).
 [[nodiscard]] std::vector<PaperTable> printed_tables();
 
-/// Figs. 9 and 10, the guides, the machine (paper_000_parts.cpp).
+/// Figs. 7, 9 and 10, the machine (paper_000_figures.cpp).
 [[nodiscard]] std::vector<PaperFigure> printed_figures();
 
-/// The approximate method against the number of nodes, forward simulations (paper_000_checks.cpp).
+/// The approximate method against the number of nodes, forward simulations (paper_000_tables.cpp).
 void add_checks(PaperReport& report);
 
 /// The best guide beside lines and arcs (paper_000_guides.cpp). Adds a fault where an optimum is not proved.

@@ -47,8 +47,6 @@ struct BodyMotion {
 
 enum class InverseFault {
     none,
-    roller_before_guide,  ///< L below the guide's begin
-    roller_beyond_guide,  ///< L above its end
     pin_on_rocker_pivot,  ///< L2 = 0
     rocker_along_feeder,  ///< cos phi = 0: the rocker does not meet the feeder's line
     rocker_misses_pin,    ///< backwards: no pin on the rocker's line

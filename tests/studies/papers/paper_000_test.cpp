@@ -3,6 +3,8 @@
 #include "benchmarks/papers/paper_000_parts.hpp"
 #include "benchmarks/papers/papers.hpp"
 #include "core/units.hpp"
+#include "profiles/inverse/reference_machine.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,8 +71,9 @@ TEST(Paper000, FlaggedValuesContradictAndOursAgree) {
 
 /// The row's own Y says which theta is meant.
 TEST(Paper000, FeederIdentifiesMisprintedAngles) {
-    const auto angle_at = [](double inches) {
-        return body_motion(linkage(), {inches * units::inch, 0.0, 0.0}).body.angle / units::degree;
+    const FeederLinkage linkage = linkage_of(forward_stroke().solution().cam->cam.dimensions);
+    const auto angle_at = [&](double inches) {
+        return body_motion(linkage, {inches * units::inch, 0.0, 0.0}).body.angle / units::degree;
     };
     EXPECT_NEAR(angle_at(1.125), -6.06, 0.005);
     EXPECT_NEAR(angle_at(1.256), -6.48, 0.005);
@@ -129,8 +132,8 @@ TEST(Paper000, GuideFiguresCoverForwardStroke) {
             SCOPED_TRACE(std::string(key) + ", " + series.title);
             ASSERT_GT(series.x.size(), 200U);
             const double length = series.x.back() - series.x.front();
-            EXPECT_NEAR(series.x.front(), 1.5, 1e-12);  // inches, where the stroke begins
-            EXPECT_NEAR(series.x.back(), figure.series.front().x.back(), 1e-12);
+            EXPECT_LE(series.x.front(), 5.25);  // inches, where the feeder leaves its rest
+            EXPECT_GE(series.x.back(), 12.898);
             for (std::size_t i = 1; i < series.x.size(); ++i) {
                 const double step = series.x[i] - series.x[i - 1];
                 EXPECT_GE(step, 0.0);
@@ -140,14 +143,66 @@ TEST(Paper000, GuideFiguresCoverForwardStroke) {
     }
 }
 
+/// Eqs. 9 to 12 on the arcs as the scenes have them, against the motion of the given guides.
+TEST(Paper000, MotionFollowsThePapersFormulas) {
+    for (const FeederStroke* stroke : {&forward_stroke(), &return_stroke()}) {
+        EXPECT_EQ(stroke->solution().certificate.reason, Reason::given_cam);
+        const std::vector<CamPiece>& pieces = stroke->solution().scene.cam->pieces;
+        for (const std::size_t i : {1U, 2U}) {
+            const auto in = [](double metres) { return metres / units::inch; };
+            const std::vector<double>&from = pieces[i - 1].to, &to = pieces[i].to, &center = pieces[i].center;
+            const test::ArcGuide arc{in(std::hypot(from[0], from[1])), in(std::hypot(to[0], to[1])),
+                                     in(center[0]), in(center[1]),
+                                     in(std::hypot(to[0] - center[0], to[1] - center[1]))};
+            int compared = 0;
+            for (double time = stroke->begin(); time < stroke->end(); time += 1e-4) {
+                const FeederState state = stroke->at(time);
+                const double distance = in(state.roller.distance);
+                if (distance < arc.from + 0.01 || distance > arc.to - 0.01) continue;
+                ++compared;
+                const BodyMotion body = arc.body(state.roller);
+                EXPECT_NEAR(state.body.angle, body.angle, 1e-11);
+                EXPECT_NEAR(state.body.velocity, body.velocity, 1e-7);
+                EXPECT_NEAR(state.body.acceleration, body.acceleration, 1e-3);
+            }
+            EXPECT_GT(compared, 100);
+        }
+    }
+}
+
+/// What the roller's acceleration and the guide's curvature make of the feeder jumps where arcs begin.
+TEST(Paper000, AccelerationJumpsWhereArcsJoin) {
+    ASSERT_EQ(forward_stroke().joints().size(), 3U);
+    double largest = 0.0;
+    for (const double time : forward_stroke().joints()) {
+        const FeederState left = forward_stroke().at(time, Side::left), right = forward_stroke().at(time);
+        EXPECT_NEAR(left.feeder.s, right.feeder.s, 1e-12);
+        EXPECT_NEAR(left.feeder.velocity, right.feeder.velocity, 1e-7);
+        largest = std::max(largest, std::abs(right.feeder.acceleration - left.feeder.acceleration));
+    }
+    EXPECT_GT(largest, 7000.0 * units::inch);
+}
+
+/// Its printed rows are multiples of 0.00158 s: 100 steps, 101 nodes.
+TEST(Paper000, NodesConvergeAwayFromJointsOnly) {
+    EXPECT_EQ(testing_support::refusal([] { (void)node_method(forward_stroke(), 2); }),
+              "2 nodes were requested; central differences need at least 3");
+    double velocity = 1e9, away = 1e9;
+    for (const int nodes : {101, 401, 1601}) {
+        const NodeMethodError error = node_method_error(forward_stroke(), nodes);
+        EXPECT_LT(error.velocity, 0.5 * velocity);
+        EXPECT_LT(error.acceleration_away, 0.5 * away);
+        EXPECT_GT(error.acceleration, 50.0);  // theta'' jumps by 399 rad/s² between the arcs
+        velocity = error.velocity;
+        away = error.acceleration_away;
+    }
+    EXPECT_LT(velocity, 1e-2);
+}
+
 TEST(Paper000, ForwardSimulations) {
     const PaperTable& forward = table("forward_simulation");
-    ASSERT_EQ(forward.rows.size(), 5U);
-    EXPECT_NEAR(number(forward, 0, "deviation_deg"), 3.6e-3, 0.1e-3);
-    EXPECT_NEAR(number(forward, 1, "deviation_deg"), 2.2e-4, 0.1e-4);
-    EXPECT_NEAR(number(forward, 2, "deviation_deg"), 1.4e-5, 0.1e-5);
-    EXPECT_LT(number(forward, 3, "deviation_rad"), 1e-6);
-    EXPECT_LT(number(forward, 4, "deviation_rad"), 1e-6);
+    ASSERT_EQ(forward.rows.size(), 2U);
+    for (const std::size_t row : {0U, 1U}) EXPECT_LT(number(forward, row, "relative"), 1e-6);
 }
 
 TEST(Paper000, BestGuideBeatsLinesAndArcs) {
@@ -161,7 +216,6 @@ TEST(Paper000, BestGuideBeatsLinesAndArcs) {
     EXPECT_GT(number(guides, 0, "step_in_s2"), 7000.0);
     for (std::size_t row = 1; row < guides.rows.size(); ++row) {
         EXPECT_EQ(number(guides, row, "step_in_s2"), 0.0);
-        EXPECT_LT(number(guides, row, "deviation_in"), 1e-7);
         EXPECT_GT(number(guides, row, "least_radius_in"), 0.5);  // rounder than the roller
     }
 }

@@ -1,40 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/papers/guide.hpp"
 #include "benchmarks/papers/paper_000_parts.hpp"
-#include "benchmarks/papers/paper_guide.hpp"
-#include "benchmarks/papers/polyline_check.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
-
-#include <fmt/format.h>
-
-#include <chrono>
+#include "studies/inverse/inverse_forward.hpp"
 
 namespace camopt::feeding_paper {
 
 namespace {
 
-using units::inch;
-constexpr double roller_radius = 0.5 * inch;  // chosen
-
-// Round values near the recovered ones, chosen: what the reference numbers of the tests are for.
-constexpr G1GuideDimensions reference_guide{5.25 * inch,         9.92 * inch, 10.67 * inch,
-                                            9.0 * units::degree, 1.5 * inch,  14.0 * inch};
-
-double microseconds_since(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// Wall time of the exact motion at as many instants.
-double exact_microseconds(const Guide& guide, const RollerStroke& stroke, int nodes) {
-    const auto begin = std::chrono::steady_clock::now();
-    double sum = 0.0;
-    for (int i = 0; i < nodes; ++i)
-        sum += body_on_guide(guide,
-                             state_of(stroke, stroke.begin + (stroke.end - stroke.begin) * i / (nodes - 1)))
-                   .acceleration;
-    return sum != sum ? 0.0 : microseconds_since(begin);
-}
+using units::degree, units::inch;
 
 PaperTable node_table(PaperFigure& figure) {
     PaperTable table{
@@ -43,25 +17,18 @@ PaperTable node_table(PaperFigure& figure) {
         "Largest errors at inner nodes. Away: at nodes further than one step from every joint of the guide. "
         "θ″ jumps at the joints, and a difference across a jump is wrong by up to half of it, however many "
         "nodes: that error does not converge, it only varies with the position of the joint between two "
-        "nodes. Times are of this run.",
+        "nodes.",
         {{"nodes", "nodes", ""},
          {"velocity_error_rad_s", "error of θ′", "rad/s", 4},
          {"acceleration_error_rad_s2", "error of θ″", "rad/s²", 4},
-         {"acceleration_error_away_rad_s2", "away from joints", "rad/s²", 4},
-         {"nodes_us", "time, nodes", "µs", 3},
-         {"exact_us", "time, exact", "µs", 3}},
+         {"acceleration_error_away_rad_s2", "away from joints", "rad/s²", 4}},
         {}};
     PaperSeries velocity{"θ′ [rad/s]", {}, {}}, acceleration{"θ″ [rad/s²]", {}, {}},
         away{"θ″ away from joints [rad/s²]", {}, {}};
-    const Guide guide = make_g1_guide(reference_guide);
-    const RollerStroke stroke = roller_law().strokes()[0];
-    for (const int nodes : {26, 51, 101, 201, 401, 801, 1601, 3201, 6401}) {
-        const NodeMethodError error = node_method_error(guide, stroke, nodes);
-        const auto begin = std::chrono::steady_clock::now();
-        const std::size_t rows = node_method(guide, stroke, nodes).size();
-        const double seconds = microseconds_since(begin);
-        table.rows.push_back({static_cast<double>(rows), error.velocity, error.acceleration,
-                              error.acceleration_away, seconds, exact_microseconds(guide, stroke, nodes)});
+    for (const int nodes : {26, 51, 101, 201, 401, 801, 1601}) {
+        const NodeMethodError error = node_method_error(forward_stroke(), nodes);
+        table.rows.push_back(
+            {static_cast<double>(nodes), error.velocity, error.acceleration, error.acceleration_away});
         for (auto [series, value] : {std::pair{&velocity, error.velocity},
                                      {&acceleration, error.acceleration},
                                      {&away, error.acceleration_away}}) {
@@ -73,47 +40,22 @@ PaperTable node_table(PaperFigure& figure) {
     return table;
 }
 
-GuideCheckInput check_input(const Guide& guide) {
-    GuideCheckInput input;
-    input.designed = [&guide](double distance) { return guide.at(distance).angle; };
-    input.begin = 2.0 * inch;
-    input.end = 13.9 * inch;
-    input.places = 2000;
-    input.roller_radius = roller_radius;
-    return input;
-}
-
 PaperTable forward_table() {
-    PaperTable table{
-        "forward_simulation",
-        "The finished guide pushed by its roller: points only",
-        "Polyline: the roller's centre on straight lines between points at even steps of the forward "
-        "stroke's time. Slot: a roller of 0.5 in (chosen) on one wall, a smooth curve through the wall's "
-        "points; 2000 places of the roller from L = 2 to 13.9 in.",
-        {{"method", "method", ""},
-         {"points", "points", ""},
-         {"deviation_rad", "largest error of θ", "rad", 3},
-         {"deviation_deg", "the same", "deg", 3},
-         {"seconds", "time", "s", 2}},
-        {}};
-    const auto add = [&](const std::string& method, const GuideCheckResult& result) {
-        table.rows.push_back({method, static_cast<double>(result.points), result.deviation,
-                              result.deviation / units::degree, result.seconds});
-    };
-    const Guide guide = make_g1_guide(reference_guide);
-    const RollerStroke stroke = roller_law().strokes()[0];
-    GuideCheckInput input = check_input(guide);
-    for (const int steps : {100, 400, 1600}) {
-        input.points.clear();
-        for (int i = 0; i <= steps; ++i)
-            input.points.push_back(guide.at(state_of(stroke, stroke.end * i / steps).distance).position);
-        add("polyline", polyline_check(input));
-    }
-    for (const double side : {1.0, -1.0}) {
-        const GuidePoints wall = guide_points(guide, 400, side * roller_radius);
-        input.points = wall.points;
-        input.breaks = wall.breaks;
-        add(side > 0.0 ? "slot, left wall" : "slot, right wall", slot_check(input));
+    PaperTable table{"forward_simulation",
+                     "The finished guide pushed by its roller: points only",
+                     "A roller of 0.5 in (chosen) on either wall of the slot, a smooth curve through the "
+                     "wall's points, at as many positions of the roller.",
+                     {{"guide", "guide", ""},
+                      {"points", "points", ""},
+                      {"deviation_in", "largest error of the feeder", "in", 3},
+                      {"relative", "of its lift", "", 3},
+                      {"seconds", "time", "s", 2}},
+                     {}};
+    for (const auto& [name, stroke] :
+         {std::pair{"forward", &forward_stroke()}, {"return", &return_stroke()}}) {
+        const ForwardCheckReport check = check_guide(stroke->solution());
+        table.rows.push_back({std::string(name), static_cast<double>(check.points), check.deviation / inch,
+                              check.relative, check.seconds});
     }
     return table;
 }
@@ -128,24 +70,25 @@ const Misprint* misprint_at(std::string_view time, int column) {
 double theta_from_feeder(const PrintedRow& row) {
     const auto& info = column_info(feeder);
     const double place = required_number(row.cells[feeder]) * info.unit_value;
-    return body_motion(linkage(), {place, 0.0, 0.0}).body.angle / column_info(theta).unit_value;
+    const FeederLinkage linkage = linkage_of(forward_stroke().solution().cam->cam.dimensions);
+    return body_motion(linkage, {place, 0.0, 0.0}).body.angle / column_info(theta).unit_value;
 }
 
 PaperTable table_1() {
-    PaperTable table{
-        "table_1",
-        "Table 1: kinematic properties of cam and feeder",
-        "Ours: exact motion of the recovered machine. Half digits: difference in halves of the last printed "
-        "digit; up to 1 agrees to the printed rounding.",
-        {{"time_s", "t", "s", 4},
-         {"quantity", "quantity", ""},
-         {"unit", "unit", ""},
-         {"printed", "printed", "", 7},
-         {"ours", "ours", "", 6},
-         {"difference", "difference", "", 2},
-         {"half_digits", "half digits", "", 3},
-         {"remark", "remark", ""}},
-        {}};
+    PaperTable table{"table_1",
+                     "Table 1: kinematic properties of cam and feeder",
+                     "Ours: the motion of the scenes of given guides. Half digits: difference in halves of "
+                     "the last printed "
+                     "digit; up to 1 agrees to the printed rounding.",
+                     {{"time_s", "t", "s", 4},
+                      {"quantity", "quantity", ""},
+                      {"unit", "unit", ""},
+                      {"printed", "printed", "", 7},
+                      {"ours", "ours", "", 6},
+                      {"difference", "difference", "", 2},
+                      {"half_digits", "half digits", "", 3},
+                      {"remark", "remark", ""}},
+                     {}};
     for (const PrintedRow& row : printed_rows()) {
         const auto values = computed_row(row);
         for (int i = 0; i < columns; ++i) {
@@ -206,6 +149,16 @@ PaperTable agreement_table() {
     return table;
 }
 
+/// x0, R1, R2 and beta of a guide of line, arc, arc, line.
+std::array<double, 4> shape_of(const FeederStroke& stroke) {
+    const std::vector<CamPiece>& pieces = stroke.solution().scene.cam->pieces;
+    const auto radius = [](const CamPiece& arc) {
+        return std::hypot(arc.to[0] - arc.center[0], arc.to[1] - arc.center[1]);
+    };
+    const CamPiece& last = pieces.back();
+    return {pieces[0].to[0], radius(pieces[1]), radius(pieces[2]), std::atan2(last.to[1], last.to[0])};
+}
+
 PaperTable dimension_table() {
     PaperTable table{
         "dimensions",
@@ -223,13 +176,12 @@ PaperTable dimension_table() {
                          const char* origin) {
         table.rows.push_back({std::string(name), std::string(unit), forward, back, std::string(origin)});
     };
-    const G1GuideDimensions f = forward_guide(), r = return_guide();
-    const FeederLinkage l = linkage();
-    using units::degree, units::inch;
-    add("x0, end of the first line", "in", f.line_end / inch, r.line_end / inch, "recovered");
-    add("R1, first arc", "in", f.first_radius / inch, r.first_radius / inch, "recovered");
-    add("R2, second arc", "in", f.second_radius / inch, r.second_radius / inch, "recovered");
-    add("beta, direction of the last line", "deg", f.end_angle / degree, r.end_angle / degree, "recovered");
+    const std::array<double, 4> f = shape_of(forward_stroke()), r = shape_of(return_stroke());
+    const FeederLinkage l = linkage_of(forward_stroke().solution().cam->cam.dimensions);
+    add("x0, end of the first line", "in", f[0] / inch, r[0] / inch, "recovered");
+    add("R1, first arc", "in", f[1] / inch, r[1] / inch, "recovered");
+    add("R2, second arc", "in", f[2] / inch, r[2] / inch, "recovered");
+    add("beta, direction of the last line", "deg", f[3] / degree, r[3] / degree, "recovered");
     add("L1, pin from the pivot", "in", l.pin_distance / inch, l.pin_distance / inch, "chosen member");
     add("al0, angle of the pin", "deg", l.pin_angle / degree, l.pin_angle / degree, "chosen member");
     add("Xc, rocker's pivot", "in", l.rocker_pivot.x() / inch, l.rocker_pivot.x() / inch,
