@@ -91,7 +91,8 @@ SignedPeaks signed_peaks(const Solution& solution, int order) {
 
 std::vector<Excursion> excursions(const Solution& solution) {
     std::vector<Excursion> all;
-    if (!solution.motion) return all;
+    // The motion of a given cam is what it is: there is no optimizer that could keep it within its strokes.
+    if (!solution.motion || solution.scene.is_given()) return all;
     const Motion& motion = *solution.motion;
     if (solution.segments.empty()) add_excursions(all, motion, {}, motion.begin(), motion.end());
     for (int i = 0; i < static_cast<int>(solution.segments.size()); ++i) {

@@ -42,6 +42,7 @@ constexpr int section_steps = 34;    // golden sections: to 1e-7 of a distance, 
 constexpr int most_secants = 30;     // half a dozen are needed
 constexpr double first_step = 1e-5;  // of the follower, rad, or of the roller's radius
 constexpr double enough = 1e-15;     // m: what is left of a distance after its subtraction
+constexpr double same_place = 1e-6;  // of the roller's radius
 
 /// From the roller's axis, which goes on by a radius beyond either end but not through the cam to its far
 /// side.
@@ -131,8 +132,11 @@ FlankContact::Nearest FlankContact::nearest(double theta, double s) {
         return distance_from(follower_, axis, curve_.at(parameter));
     };
     if (!placed_) {
+        // Of a groove that closes, begin and end are one place but for rounding: it is followed from the
+        // begin on.
+        const double same = same_place * follower_.roller_radius;
         for (std::size_t i = 0; i < places_.size(); ++i)
-            if (at_place(i) < at_place(place_)) place_ = i;
+            if (at_place(i) < at_place(place_) - same) place_ = i;
         placed_ = true;
     }
     while (place_ + 1 < places_.size() && at_place(place_ + 1) < at_place(place_)) ++place_;
