@@ -385,11 +385,14 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, Scene& sce
             roll(motion_on_pieces(scene.cam->pieces, *on), input);
         } else if (on) {
             require_as_many(source, table);
-            roll(motion_on_points(points_of(table), table.is_axial(), *on), input);
+            std::vector<Eigen::Vector2d> points = points_of(table);
+            if (is_guide(*on) && !rows.registered.empty() && !table.is_axial())
+                input.motion.place = register_guide(scene.motion, asked_for(rows), points, *on);
+            roll(motion_on_points(points, table.is_axial(), *on), input);
         } else {
             place_rows(source, scene, table, input);
         }
-        register_table(source, scene, known, on.get(), input.motion);
+        if (!input.motion.place) register_table(source, scene, known, on.get(), input.motion);
         arrange(input, scene.motion, !on || is_turning(*on) || on_whole_turns(scene.motion));
     } catch (const SceneError& error) {
         fail_in_measured(source, input, error.fault());
@@ -401,6 +404,9 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, Scene& sce
 
 void fail_in_measured(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault) {
     const bool theta = fault.member.starts_with("measured.theta");
+    if (theta && source.find("cam", "piece"))
+        source.fail_member("cam.piece", fmt::format("found a path with its end at {}; allowed: {}",
+                                                    fault.found, fault.allowed));
     if (!theta && fault.member != "measured.s" && !fault.member.starts_with("measured.s["))
         source.fail_member(fault.member, words_of(fault));
     std::optional<std::size_t> row = row_of(fault.member);

@@ -155,6 +155,8 @@ class CamUnderFollower;  // input/surface_points.cpp
                                              const CamUnderFollower& cam);
 /// It turns about its axis.
 [[nodiscard]] bool is_turning(const CamUnderFollower& cam);
+/// It is a guide in a body that swings.
+[[nodiscard]] bool is_guide(const CamUnderFollower& cam);
 /// What the radius of the base circle is if the motion has its displacement 0 at `zero`; none: it has none.
 [[nodiscard]] std::optional<double> base_radius_for(const CamUnderFollower& cam, double zero);
 
@@ -168,6 +170,12 @@ struct RegisterRequest {
 /// whole revolution where the motion is a part of one.
 [[nodiscard]] MeasuredPlace register_rows(const MotionSpec& motion, const KnownNames& known,
                                           RegisterRequest request, MeasuredMotion& measured);
+
+/// Points of a guide, turned about its pivot by an angle that is not known: turns them back, so that the
+/// output rests where the motion does, before its rise and after it. Throws SceneError "measured.register"
+/// where no point is there, and for another request than the angle.
+[[nodiscard]] MeasuredPlace register_guide(const MotionSpec& motion, RegisterRequest request,
+                                           std::vector<Eigen::Vector2d>& points, const CamUnderFollower& cam);
 
 struct MeasuredInput {
     MeasuredMotion motion;

@@ -224,6 +224,26 @@ class GuideCam final : public CamUnderFollower {
         const Vector2d center = normal ? Vector2d(point + guide_.roller_radius * *normal) : point;
         return {guide_.cam_angle(center.norm()), displacement_at(std::atan2(center.y(), center.x()))};
     }
+    /// By how much each point is turned about the pivot that lies where the output rests, before the motion
+    /// and after it: there the guide is a line from the pivot, its walls lie beside it.
+    [[nodiscard]] std::vector<double> turns_at_rest(std::span<const Vector2d> points,
+                                                    const MotionSpec& motion) const {
+        const double first = guide_.distance(0.0),
+                     last = guide_.distance(motion.unit_angle() * motion.length());
+        const double beside =
+            form().centers ? 0.0
+                           : (form().side == 0 ? 1.0 : -1.0) * (guide_.roller_radius - form().probe_radius);
+        std::vector<double> turns;
+        for (const Vector2d& point : points) {
+            const double square = point.squaredNorm() - beside * beside;
+            const double distance = square > 0.0 ? std::sqrt(square) : 0.0;
+            if (!(distance > 0.0) || (distance > first && distance < last)) continue;
+            const double wanted = guide_.angle({distance <= first ? 0.0 : motion.lift, 0.0, 0.0});
+            const double turn = std::atan2(point.y(), point.x()) - std::atan2(beside, distance) - wanted;
+            turns.push_back(std::remainder(turn, units::turn));
+        }
+        return turns;
+    }
 
  private:
     RollerGuide guide_;
@@ -500,6 +520,32 @@ bool is_turning(const CamUnderFollower& cam) {
     return cam.turns();
 }
 
+bool is_guide(const CamUnderFollower& cam) {
+    return dynamic_cast<const GuideCam*>(&cam) != nullptr;
+}
+
+MeasuredPlace register_guide(const MotionSpec& motion, RegisterRequest request, std::vector<Vector2d>& points,
+                             const CamUnderFollower& cam) {
+    constexpr std::size_t least_rows = 3;
+    if (request.radius)
+        throw SceneError({"measured.register", "\"radius\" of a guide",
+                          "\"angle\": a guide is turned about its pivot, whose distance is known"});
+    const std::vector<double> turns = dynamic_cast<const GuideCam&>(cam).turns_at_rest(points, motion);
+    if (turns.size() < least_rows)
+        throw SceneError({"measured.register", "points of a guide none of which lie where its feeder rests",
+                          "points before its rise begins or after its end"});
+    const auto count = static_cast<double>(turns.size());
+    double sum = 0.0, squares = 0.0;
+    for (const double turn : turns) sum += turn;
+    const double angle = sum / count;
+    for (const double turn : turns) squares += (turn - angle) * (turn - angle);
+    for (Vector2d& point : points) point = Eigen::Rotation2Dd(-angle) * point;
+    MeasuredPlace place;
+    place.points = true;
+    place.angle = {angle, std::sqrt(squares / (count - 1.0) / count)};
+    return place;
+}
+
 std::optional<double> base_radius_for(const CamUnderFollower& cam, double zero) {
     const auto* const turning = dynamic_cast<const TurningCam*>(&cam);
     if (turning == nullptr || turning->follower().linkage) return {};
@@ -555,9 +601,11 @@ std::vector<Piece> pieces_of(const std::vector<CamPiece>& given) {
             piece.center = two_of(given[i].center, i);
             const Vector2d from = piece.begin - *piece.center, to = piece.end - *piece.center;
             if (!(std::abs(from.norm() - to.norm()) <= same_joint * std::max(size, from.norm())))
-                refuse_piece(i,
-                             fmt::format("an arc with the radii {:.9g} and {:.9g} m", from.norm(), to.norm()),
-                             "a centre at the same distance from both ends");
+                refuse_piece(
+                    i,
+                    fmt::format("an arc whose end is {:.9g} times as far from its centre as its begin",
+                                to.norm() / from.norm()),
+                    "a centre at the same distance from both ends");
             piece.sweep = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
         }
         if (!pieces.empty()) {

@@ -13,7 +13,8 @@ import numpy as np
 import program
 
 SCENES = ("drd_cubic_12.toml", "drd_quintic_12.toml", "rr_unequal_return.toml", "drd_physical_limits.toml",
-          "cam_roller.toml", "cam_forces.toml", "cam_drdrd.toml", "infeasible_velocity_cap.toml", "drd_free_knots.toml")
+          "cam_roller.toml", "cam_forces.toml", "cam_drdrd.toml", "infeasible_velocity_cap.toml", "drd_free_knots.toml",
+          "given_drum.toml", "given_guide_forward.toml")
 ROLLER = program.scene_path("cam_roller.toml")
 
 
@@ -151,6 +152,19 @@ class Cams(unittest.TestCase):
                 self.assertGreater(len(solution.profile(200)["theta_deg"]), 199)
                 xml.dom.minidom.parseString(solution.svg("cam"))
                 self.assertIn("SECTION", solution.dxf())
+
+    def test_a_given_cam_comes_from_arrays(self):
+        angle = np.linspace(0, 2 * math.pi, 720, endpoint=False)
+        scene = camopt.Scene.from_toml('''
+            motion = { type = "program", lift_mm = 10 }
+            cam = { type = "disk", follower = "translating_knife", base_radius_mm = 35 }''')
+        scene.update({"measured.use": "given", "measured.x_mm": list(40 * np.cos(angle)),
+                      "measured.y_mm": list(40 * np.sin(angle) - 5)})
+        solution = camopt.solve(scene)
+        self.assertEqual((solution.verdict, solution.reason), ("feasible", "given_cam"))
+        x = np.linspace(0, 1, 50)
+        expected = -5 * np.cos(2 * math.pi * x) + np.sqrt(40**2 - (5 * np.sin(2 * math.pi * x))**2) - 35
+        np.testing.assert_allclose(10 * solution.motion(x), expected, atol=1e-7)
 
     def test_a_scene_without_a_cam_has_none(self):
         solution = solved("drd_cubic_12.toml")

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <random>
 
 namespace camopt {
@@ -286,6 +287,89 @@ TEST(GivenCam, RegistrationFindsAngleAndHeight) {
     EXPECT_NEAR(at.zero->value, 250 * um / std::cos(lean), 5 * um);
     EXPECT_NEAR(at.angle->value, 5.0 * units::degree - 250 * um * std::tan(lean) / slide,
                 0.1 * units::degree);
+}
+
+/// The middle of a guide before its rise: on the line from the pivot to its first point.
+void add_inner_dwell(const Solution& nominal, Points& points, const std::function<double()>& error) {
+    const Points exact = plane_points(nominal, 0, 16, true, [] { return 0.0; });
+    const double x = exact.a.front(), y = exact.b.front(), length = std::hypot(x, y);
+    for (int k = 1; k <= 60; ++k) {
+        const double part = 1.0 - 0.003 * k, off = error() / length;
+        points.a.insert(points.a.begin(), part * x - off * y);
+        points.b.insert(points.b.begin(), part * y + off * x);
+    }
+}
+
+/// Turned on the table, a remote lever's cam about its axis and a guide about the pivot of its body.
+TEST(GivenCam, RegistrationFindsTurnedCamsAndGuides) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0.0, 5 * um);
+    constexpr const char* laws =
+        "motion.segments = [{ kind = 'law', law = 'modified_trapezoid', angle_deg = 105, to = 1 }, "
+        "{ kind = 'dwell', angle_deg = 75 }, { kind = 'law', law = 'modified_trapezoid', angle_deg = 105, to "
+        "= 0 }, "
+        "{ kind = 'dwell', angle_deg = 75 }]";
+    for (const auto& [scene, turned] :
+         {std::pair(testing_support::scene_named("tappet_75").with(laws, "limits.pressure_angle_deg = 40"),
+                    12.7),
+          std::pair(testing_support::scene_named("inverse_feeder"), -8.4)}) {
+        const Solution nominal = solve_without_explaining(scene, {}, nullptr, {.look = true});
+        SCOPED_TRACE(nominal.scene.title);
+        ASSERT_TRUE(nominal.motion);
+        const bool guide = nominal.scene.cam->type == "inverse";
+        Points points = plane_points(nominal, 0, 1440, guide, [&] { return noise(random); });
+        if (guide) add_inner_dwell(nominal, points, [&] { return noise(random); });
+        const double c = std::cos(turned * units::degree), s = std::sin(turned * units::degree);
+        for (std::size_t i = 0; i < points.a.size(); ++i) {
+            const double x = points.a[i], y = points.b[i];
+            points.a[i] = c * x - s * y;
+            points.b[i] = s * x + c * y;
+        }
+        const Scene found = given_scene(
+            nominal, "register = [\"angle\"]\n" + points.toml() + (guide ? "of = \"center\"\n" : ""));
+        const MeasuredPlace& place = found.measured->place.value();
+        EXPECT_TRUE(place.points);
+        EXPECT_NEAR(place.angle->value, turned * units::degree, 4.0 * place.angle->error);
+        EXPECT_LT(place.angle->error, 0.02 * units::degree);
+    }
+    const Solution nominal = solved_example("inverse_feeder");
+    const Points points = plane_points(nominal, 0, 720, false, [] { return 0.0; });
+    EXPECT_TRUE(says(testing_support::refusal(
+                         [&] { (void)given_scene(nominal, "register = [\"radius\"]\n" + points.toml()); }),
+                     "a guide is turned about its pivot"));
+}
+
+/// A scene made by a program, without a file: rows of its follower.
+TEST(GivenCam, RowsInMemoryAreItsMotion) {
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    scene.motion.lift = 0.01;
+    ProgramSegment around;
+    around.kind = SegmentKind::spline;
+    around.angle = units::turn;
+    scene.motion.segments = {around};
+    MeasuredMotion rows;
+    rows.given = true;
+    for (int i = 0; i < 360; ++i) {
+        rows.angle.push_back(i * units::degree);
+        rows.displacement.push_back(0.005 * (1.0 - std::cos(rows.angle.back())));
+    }
+    scene.measured = rows;
+    const Solution given = solve(scene);
+    ASSERT_TRUE(given.motion);
+    EXPECT_EQ(given.certificate.reason, Reason::given_cam);
+    for (int i = 0; i < 100; ++i) {
+        const double x = (i + 0.5) / 100.0;
+        EXPECT_NEAR(given.motion->at(x).derivative[0], 0.5 * (1.0 - std::cos(units::turn * x)), 1e-8);
+        EXPECT_NEAR(given.motion->at(x).derivative[2],
+                    2.0 * std::numbers::pi * std::numbers::pi * std::cos(units::turn * x), 1e-3);
+    }
+}
+
+/// Its curve through a turn ends where it begins, but for rounding.
+TEST(GivenCam, ForwardCheckFollowsClosedDrums) {
+    const ForwardCheckReport check = check_flanks(solve(testing_support::scene_named("given_drum")));
+    EXPECT_LT(check.relative, 1e-9);
 }
 
 /// Every example with a cam whose solve delivers a motion.
