@@ -73,12 +73,6 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
     if (request.dxf && !kind.gives(CamOutput::outline))
         throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is not a plane curve",
                                      request.scene, cam->type));
-    if (request.nc && kind.gives(CamOutput::solid) && !kind.gives(CamOutput::program))
-        throw InputError(
-            fmt::format("{}: --nc: found with a cam of type \"{}\": programs mill around or along a cam that "
-                        "turns; allowed: "
-                        "--dxf or --step, the whole body for a CAM system, and --csv",
-                        request.scene, cam->type));
     if ((request.step || request.stl || request.nc) && !kind.gives(CamOutput::solid))
         throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
                                      request.scene, cam->type));

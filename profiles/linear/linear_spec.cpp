@@ -113,7 +113,7 @@ CamKind linear_kind() {
     kind.with_angle = "\"oscillating_roller\"";
     kind.with_length = "\"translating_roller\" or \"translating_knife\"";
     kind.has_rotation = false;
-    kind.outputs = {CamOutput::outline, CamOutput::solid};
+    kind.outputs = {CamOutput::outline, CamOutput::sheet, CamOutput::solid, CamOutput::program};
     kind.rows = linear_rows();
     kind.refused = {
         {"translating_flat",

@@ -235,7 +235,6 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
             return made_solid(file, disk_plate(self.pieces_[piece], self.drawing(piece), title),
                               self.solution_.scene.length_unit);
         });
-        if (pieces_[piece].is_plate()) return;  // neither a sheet nor a program of it
         add_sheet(piece);
         add_program(name, piece);
     }
@@ -324,7 +323,7 @@ std::vector<ExportedProgram> nc_programs(const Solution& solution, const Worksho
     const std::vector<ProfileShape> pieces = pieces_of(solution);
     if (pieces.empty())
         throw InputError(
-            "NC program: found no cam that is milled; allowed: a disk cam or a "
+            "NC program: found no cam that is milled; allowed: a disk cam, a linear one or a "
             "three-dimensional one, with a motion");
     std::vector<ExportedProgram> programs;
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -83,10 +83,28 @@ NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const Cuttin
     return pass;
 }
 
+/// Of a block: what lies below all that the cutter passes, over its length.
+std::optional<Blank> clamp_below(const NcJob& job) {
+    const Eigen::AlignedBox2d& block = *job.blank.block;
+    double least = block.max().y();
+    for (const NcPass& pass : job.passes) {
+        // Under compensation the poses are the cutter's edge.
+        const double radius = pass.compensation == CompensationSide::none ? 0.5 * job.cutter_diameter : 0.0;
+        for (const ToolPose& pose : pass.poses) least = std::min(least, pose.tip.y() - radius);
+    }
+    const double room = least - job.safe_distance - beside_clamp;
+    const double upper = units::millimetre * std::floor(room / units::millimetre);
+    if (upper < block.min().y() + least_clamp) return std::nullopt;
+    Blank clamp{0.0, job.blank.lower, job.blank.upper + job.clearance - job.safe_distance};
+    clamp.block = Eigen::AlignedBox2d(block.min(), Eigen::Vector2d(block.max().x(), upper));
+    return clamp;
+}
+
 /// Room about the cam's axis for what holds the cam by its bore: the cutter keeps the safe distance from it.
 /// On three axes it is clamped from above. A table that tilts raises what sticks out of the blank: it ends
 /// where rapids in the clearance plane pass it at any angle. None: there is no room.
 std::optional<Blank> clamp_of(const NcJob& job, const Machine& machine) {
+    if (job.blank.block) return clamp_below(job);
     const double above = is_plane(machine) ? job.clearance - job.safe_distance : 0.0;
     const double beside = is_plane(machine) ? 0.0 : held_beside;
     Blank clamp{0.0, job.blank.lower - beside, job.blank.upper + above + beside};
@@ -111,6 +129,10 @@ std::optional<Blank> clamp_of(const NcJob& job, const Machine& machine) {
 }
 
 std::string words_of_clamp(const NcJob& job, const Machine& machine, const Blank& clamp) {
+    if (clamp.block)
+        return fmt::format(
+            "fixture: the plate is held below y = {:g} mm, clamps lie at most {:g} mm above the blank",
+            clamp.block->max().y() / units::millimetre, (clamp.upper - job.blank.upper) / units::millimetre);
     const double diameter = 2.0 * clamp.radius / units::millimetre;
     if (is_plane(machine))
         return fmt::format(
@@ -228,7 +250,9 @@ CheckedProgram checked_program(const Machine& machine, const PostProcessor& post
         work.job.remarks.push_back(words_of_clamp(work.job, machine, *result.clamp));
     else
         work.job.warnings.emplace_back(
-            "the cutter leaves no space about the cam's axis to hold the cam by its bore");
+            work.job.blank.block
+                ? "the cutter leaves no space below the surface to hold the plate"
+                : "the cutter leaves no space about the cam's axis to hold the cam by its bore");
     result.program = nc_program(machine, post, work.job);
     result.warnings = warnings_of(post, work.job);
     verify(result, machine, post, work);
@@ -299,8 +323,7 @@ std::string nc_check_text(const CheckedProgram& result) {
                         result.travel.feeds, result.most_depth / units::millimetre));
     }
     if (result.travel.good() && result.clamp)
-        add(fmt::format("  fixture            no move comes within diameter {:g} mm about the cam's axis",
-                        2.0 * result.clamp->radius / units::millimetre));
+        add("  fixture            no move comes " + clamp_words(*result.clamp));
     if (result.direction.climb + result.direction.conventional > 0)
         add(fmt::format("  direction          climb in {} blocks along the flanks, conventional in {}",
                         result.direction.climb, result.direction.conventional));

@@ -164,6 +164,7 @@ class Travel {
 
     /// From below. The plane that faces the cutter's axis is enough as a rule.
     [[nodiscard]] double distance_to_clamp(const ToolPose& pose, double enough) const {
+        if (task_.clamp->block) return distance_to_blank(*task_.clamp, pose, task_.cutter_radius);
         const Eigen::Vector2d tip = pose.tip.head<2>(), up = -pose.axis.head<2>();
         const double across = up.norm(), along = pose.axis.z();
         const double side = across > 0.5 ? tip.dot(up) / across - task_.cutter_radius * std::abs(along)
@@ -187,9 +188,7 @@ class Travel {
                                                      mm(depth), mm(task_.most_depth)));
         const double apart = task_.clamp ? distance_to_clamp(pose, around) : HUGE_VAL;
         if (apart < 0.0)
-            return refuse(
-                fmt::format("the cutter comes within diameter {} about the cam's axis, where clamps lie",
-                            mm(2.0 * task_.clamp->radius)));
+            return refuse(fmt::format("the cutter comes {}, where clamps lie", clamp_words(*task_.clamp)));
         if (around <= task_.cutter_radius && depth + around <= task_.most_depth + rounding &&
             around <= apart + rounding)
             return;

@@ -97,6 +97,11 @@ DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape, cons
     if (options.thickness) drawing.thickness = options.thickness;
     if (!drawing.thickness) drawing.thickness = default_thickness;
     if (shape.is_grooved() && !drawing.groove_depth) drawing.groove_depth = 0.5 * *drawing.thickness;
+    if (shape.is_plate()) {
+        if (!drawing.bore) return drawing;
+        throw InputError(
+            "drawing.bore: found a bore in a plate that slides; allowed: none, it is held by its sides");
+    }
     const double least = least_radius(shape);
     const ShownUnit shown = shown_units(solution.scene).length;
     if (drawing.keyway && drawing.bore && !(drawing.keyway->width < *drawing.bore))

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shop/sheet/cam_sheet.hpp"
 
-#include "core/text/list_text.hpp"
 #include "report/drawing/plane_cam.hpp"
-#include "report/view/key_words.hpp"
-#include "scene/limit_table.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/dimension_marks.hpp"
+#include "shop/sheet/form_notes.hpp"
+#include "shop/sheet/plate_sheet.hpp"
 #include "shop/sheet/sheet_furniture.hpp"
 
 #include <fmt/format.h>
@@ -387,16 +386,6 @@ class CamSheetMaker {
     [[nodiscard]] std::string length_text(double metres) const {
         return drawn_length(metres, sheet_.lengths);
     }
-    /// "translating roller, roller radius 10 mm, offset 8 mm"
-    [[nodiscard]] std::string follower_text() const {
-        const DirectCamDrawing& drawn = shape_.direct.value();
-        std::string text = words_of(drawn.follower);
-        const std::vector<NamedDimension>& all = drawn.dimensions;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (!all[i].of_form && static_cast<int>(i) != cam_.base_radius_index())
-                text += fmt::format(", {} {}", words_of(all[i].name), length_text(all[i].value));
-        return text;
-    }
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> notes;
         if (!shape_.closed)
@@ -408,30 +397,13 @@ class CamSheetMaker {
                 "UNDERCUT: the outline intersects itself; this cam cannot be made as designed.");
         if (solution_.cam->summary.cusp())
             notes.emplace_back("CUSP: the least radius of curvature is 0, an edge that wears.");
-        notes.push_back("Follower: " + follower_text() + ".");
+        notes.push_back(follower_note(shape_, sheet_.lengths));
         if (disk_)
             notes.push_back(fmt::format("Groove: {} wide, {} deep in the upper face.",
                                         length_text(2.0 * cam_.surface_offset(shape_.cam.dimensions, 1)),
                                         length_text(*drawing_.groove_depth)));
         notes.push_back(fmt::format("Turns {}, seen as drawn.", name_of(cam_.rotation())));
-        std::string limits;
-        for (const LimitRow& row : limit_rows())
-            if (const auto& limit = row.in(solution_.scene.limits);
-                limit && !row.needs_forces && !row.needs_dynamics)
-                append_item(limits,
-                            fmt::format("{} {} {}{}", key_words(fmt::format("limits.{}", row.name)).words,
-                                        row.is_least() ? "≥" : "≤", short_text(limit->given()),
-                                        limit->unit.empty() ? "" : " " + limit->unit));
-        if (!limits.empty()) notes.push_back("Limits of form: " + limits + ".");
-        const CamSummary& summary = solution_.cam->summary;
-        std::string radii;
-        if (summary.convex_radius)
-            radii = fmt::format("convex {}", length_text(summary.convex_radius->value));
-        if (summary.concave_radius)
-            append_item(radii, "concave " + length_text(summary.concave_radius->value));
-        if (!radii.empty())
-            notes.push_back(fmt::format("Least radii of curvature{}: {}.",
-                                        piece_.empty() ? "" : " of both disks", radii));
+        add_form_notes(notes, solution_, !piece_.empty());
         const char* const radii_words =
             disk_ ? "R, Ro to the inner and the outer flank, Rc to the roller's centre, along one ray"
             : shape_.has_roller() ? "R to the cam, Rc to the roller's centre, along the same ray"
@@ -440,25 +412,8 @@ class CamSheetMaker {
             "α from the datum mark, {} as drawn. {}.",
             cam_.rotation() == Rotation::counterclockwise ? "clockwise" : "counterclockwise", radii_words));
         notes.push_back(fmt::format("Section through the {}.", drawing_.keyway ? "keyway" : "datum"));
-        if (std::string tolerance = profile_tolerance(); !tolerance.empty()) notes.push_back(tolerance);
+        add_tolerance_note(notes, solution_.scene);
         return notes;
-    }
-    /// "Profile: the follower's displacement within ±0.02 mm, its slope within ±0.005 mm/deg." Empty: none is
-    /// given.
-    [[nodiscard]] std::string profile_tolerance() const {
-        if (!solution_.scene.tolerance) return {};
-        const auto& [profile, slope, acceleration] = solution_.scene.tolerance->motion;
-        const bool turns = solution_.scene.motion.lift_is_angle;
-        const double unit = turns ? units::degree : metres_of(sheet_.lengths);
-        const char* const name = turns ? "deg" : name_of(sheet_.lengths);
-        std::string words;
-        if (profile)
-            append_item(words,
-                        fmt::format("the follower's displacement within ±{:.4g} {}", *profile / unit, name));
-        if (slope)
-            append_item(words,
-                        fmt::format("its slope within ±{:.4g} {}/deg", *slope / unit * units::degree, name));
-        return words.empty() ? words : fmt::format("Profile: {}.", words);
     }
     void add_furniture() {
         TitleBlock title = drawing_.title_block;
@@ -484,8 +439,13 @@ class CamSheetMaker {
 std::vector<Sheet> cam_sheets(const View& view, const CamSheetOptions& options) {
     const Solution& solution = view.solution;
     const std::optional<ProfileShape> shape = delivered_shape(view);
-    if (!shape || shape->is_plate())
-        throw InputError("a workshop drawing needs a cam with a base circle, and this solution has none");
+    if (!shape)
+        throw InputError(
+            "a workshop drawing needs a cam that its follower touches, and this solution has none");
+    if (shape->is_plate()) {
+        const DrawingSpec drawing = drawing_of(solution, *shape, options);
+        return {plate_sheet(solution, *shape, drawing, cam_volume(*shape, drawing))};
+    }
     std::vector<Sheet> sheets;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -113,7 +113,11 @@ class ToolPathPainter {
             for (const double z : {blank.lower, blank.upper}) first_.box.add({first_.box.least.x(), z});
             second_.box.add({second_.box.least.x(), blank.radius});
         } else {
-            first_.box.add({0.0, 0.0}, blank.radius);
+            if (blank.block)
+                for (const Vector2d& corner : {blank.block->min(), blank.block->max()})
+                    first_.box.add(corner);
+            else
+                first_.box.add({0.0, 0.0}, blank.radius);
             second_.box.add({first_.box.least.x(), blank.lower});
             second_.box.add({first_.box.most.x(), blank.upper});
         }
@@ -202,10 +206,16 @@ class ToolPathPainter {
     }
     void add_blank() {
         const Blank& blank = work_.job.blank;
-        const double left = developed_ ? first_.box.least.x() : -blank.radius,
-                     right = developed_ ? first_.box.most.x() : blank.radius;
+        const double left = developed_    ? first_.box.least.x()
+                            : blank.block ? blank.block->min().x()
+                                          : -blank.radius,
+                     right = developed_    ? first_.box.most.x()
+                             : blank.block ? blank.block->max().x()
+                                           : blank.radius;
         if (developed_)
             first_.drawing.rectangle("blank", {left, blank.lower}, {right, blank.upper});
+        else if (blank.block)
+            first_.drawing.rectangle("blank", blank.block->min(), blank.block->max());
         else
             first_.drawing.circle("blank", {0.0, 0.0}, blank.radius);
         second_.drawing.rectangle("blank", {left, developed_ ? second_.box.least.y() : blank.lower},
@@ -261,7 +271,11 @@ class ToolPathPainter {
         const auto length = [&](double metres) { return picture_.length.text(metres); };
         column.heading("Figures");
         column.words(fmt::format("cutter ⌀ {}", length(work_.task.cutter.diameter)));
-        column.words(fmt::format("blank ⌀ {}", length(2.0 * work_.job.blank.radius)));
+        if (const auto& block = work_.job.blank.block)
+            column.words(
+                fmt::format("blank {} × {}", length(block->sizes().x()), length(block->sizes().y())));
+        else
+            column.words(fmt::format("blank ⌀ {}", length(2.0 * work_.job.blank.radius)));
         column.words(fmt::format("passes {}", program_.travel.passes));
         column.words(fmt::format("{:.1f} min at the given feed", program_.program.seconds / units::minute));
         if (!program_.travel.good()) return;

@@ -104,7 +104,6 @@ CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "
            "started from a measured motion", "elastic train", "laws on an elastic train", "motor", "motor with its curve"]
 SPATIAL = ["barrel", "cylinder", "drum", "indexing", "given drum"]
 REMOTE = ["remote", "inverse", "given guide"]
-PLATES = ["plate", "edge on a plate", "arm over a plate", "given plate"]
 VALVES = ["valve", "valve in inches", "forces at every speed"]
 OF_CAMS = ["DXF", "drawing as SVG", "drawing as PDF", "drawing as DXF", "STEP", "STL", "picture", "NC"]
 
@@ -126,9 +125,8 @@ REFUSED = [
     ("found no valve lobe", ["lobe", "lobe in inches"], [kind for kind in KINDS if kind not in VALVES]),
     ('found no motion of type "valve"', ["valves"], [kind for kind in KINDS if kind not in VALVES]),
     (r"found a scene without a \[dynamics\] table", ["dynamics"], [kind for kind in KINDS if "elastic train" not in kind]),
-    ('allowed: with cam.type = "disk", "barrel" or "cylindrical"', ["drawing as SVG", "drawing as PDF", "drawing as DXF"],
-     REMOTE + PLATES),
-    ("programs mill around or along a cam that turns", ["NC"], PLATES),
+    ('allowed: with cam.type = "disk", "barrel", "cylindrical" or "linear"', ["drawing as SVG", "drawing as PDF", "drawing as DXF"],
+     REMOTE),
     ("export writes --csv, --dxf and --picture", ["STEP", "STL", "NC"], REMOTE),
     ("which is not a plane curve", ["DXF"], SPATIAL),
     (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],
