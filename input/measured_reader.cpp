@@ -405,8 +405,8 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, Scene& sce
 void fail_in_measured(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault) {
     const bool theta = fault.member.starts_with("measured.theta");
     if (theta && source.find("cam", "piece"))
-        source.fail_member("cam.piece", fmt::format("found a path with its end at {}; allowed: {}", fault.found,
-                                                    fault.allowed));
+        source.fail_member("cam.piece", fmt::format("found a path with its end at {}; allowed: {}",
+                                                    fault.found, fault.allowed));
     if (!theta && fault.member != "measured.s" && !fault.member.starts_with("measured.s["))
         source.fail_member(fault.member, words_of(fault));
     std::optional<std::size_t> row = row_of(fault.member);

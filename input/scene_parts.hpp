@@ -171,9 +171,9 @@ struct RegisterRequest {
 [[nodiscard]] MeasuredPlace register_rows(const MotionSpec& motion, const KnownNames& known,
                                           RegisterRequest request, MeasuredMotion& measured);
 
-/// Points of a guide, turned about its pivot by an angle that is not known: turns them back, so that the output
-/// rests where the motion does, before its rise and after it. Throws SceneError "measured.register" where no
-/// point is there, and for another request than the angle.
+/// Points of a guide, turned about its pivot by an angle that is not known: turns them back, so that the
+/// output rests where the motion does, before its rise and after it. Throws SceneError "measured.register"
+/// where no point is there, and for another request than the angle.
 [[nodiscard]] MeasuredPlace register_guide(const MotionSpec& motion, RegisterRequest request,
                                            std::vector<Eigen::Vector2d>& points, const CamUnderFollower& cam);
 

@@ -224,14 +224,15 @@ class GuideCam final : public CamUnderFollower {
         const Vector2d center = normal ? Vector2d(point + guide_.roller_radius * *normal) : point;
         return {guide_.cam_angle(center.norm()), displacement_at(std::atan2(center.y(), center.x()))};
     }
-    /// By how much each point is turned about the pivot that lies where the output rests, before the motion and
-    /// after it: there the guide is a line from the pivot, its walls lie beside it.
+    /// By how much each point is turned about the pivot that lies where the output rests, before the motion
+    /// and after it: there the guide is a line from the pivot, its walls lie beside it.
     [[nodiscard]] std::vector<double> turns_at_rest(std::span<const Vector2d> points,
                                                     const MotionSpec& motion) const {
         const double first = guide_.distance(0.0),
                      last = guide_.distance(motion.unit_angle() * motion.length());
         const double beside =
-            form().centers ? 0.0 : (form().side == 0 ? 1.0 : -1.0) * (guide_.roller_radius - form().probe_radius);
+            form().centers ? 0.0
+                           : (form().side == 0 ? 1.0 : -1.0) * (guide_.roller_radius - form().probe_radius);
         std::vector<double> turns;
         for (const Vector2d& point : points) {
             const double square = point.squaredNorm() - beside * beside;
@@ -600,10 +601,11 @@ std::vector<Piece> pieces_of(const std::vector<CamPiece>& given) {
             piece.center = two_of(given[i].center, i);
             const Vector2d from = piece.begin - *piece.center, to = piece.end - *piece.center;
             if (!(std::abs(from.norm() - to.norm()) <= same_joint * std::max(size, from.norm())))
-                refuse_piece(i,
-                             fmt::format("an arc whose end is {:.9g} times as far from its centre as its begin",
-                                         to.norm() / from.norm()),
-                             "a centre at the same distance from both ends");
+                refuse_piece(
+                    i,
+                    fmt::format("an arc whose end is {:.9g} times as far from its centre as its begin",
+                                to.norm() / from.norm()),
+                    "a centre at the same distance from both ends");
             piece.sweep = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
         }
         if (!pieces.empty()) {

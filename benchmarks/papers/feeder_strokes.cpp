@@ -66,7 +66,8 @@ std::vector<NodeRow> node_method(const FeederStroke& stroke, int nodes) {
     const double step = (stroke.end() - stroke.begin()) / (nodes - 1);
     std::vector<double> angles(static_cast<std::size_t>(nodes));
     for (std::size_t i = 0; i < angles.size(); ++i)
-        angles[i] = stroke.at(std::min(stroke.begin() + step * static_cast<double>(i), stroke.end())).body.angle;
+        angles[i] =
+            stroke.at(std::min(stroke.begin() + step * static_cast<double>(i), stroke.end())).body.angle;
     std::vector<NodeRow> rows;
     for (std::size_t i = 1; i + 1 < angles.size(); ++i)
         rows.push_back({stroke.begin() + step * static_cast<double>(i),
@@ -81,7 +82,8 @@ NodeMethodError node_method_error(const FeederStroke& stroke, int nodes) {
     for (const NodeRow& row : node_method(stroke, nodes)) {
         const BodyMotion left = stroke.at(row.time, Side::left).body, right = stroke.at(row.time).body;
         const auto off = [&](double BodyMotion::*value) {  // exact on a joint means either side
-            return std::min(std::abs(row.body.*value - left.*value), std::abs(row.body.*value - right.*value));
+            return std::min(std::abs(row.body.*value - left.*value),
+                            std::abs(row.body.*value - right.*value));
         };
         const double acceleration = off(&BodyMotion::acceleration);
         error.velocity = std::max(error.velocity, off(&BodyMotion::velocity));

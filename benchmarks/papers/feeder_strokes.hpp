@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The machine of the paper on inverse cams by its two scene files: the roller goes out along the guide of
 // scenes/given_guide_forward.toml, and comes back along that of given_guide_return.toml, which is run
-// backwards in time. Times are those of the machine, 0 where the roller leaves its rest. Where a scene has not
-// begun, or is over, the feeder rests. m, rad, s.
+// backwards in time. Times are those of the machine, 0 where the roller leaves its rest. Where a scene has
+// not begun, or is over, the feeder rests. m, rad, s.
 #pragma once
 
 #include "profiles/inverse/inverse_mechanism.hpp"
@@ -35,8 +35,8 @@ class FeederStroke {
     Solution solution_;
     std::vector<double> numbers_;
     bool back_ = false;
-    double speed_ = 0.0;      ///< rad/s of the cam
-    double before_ = 0.0;     ///< rad: from the roller's rest to the scene's begin
+    double speed_ = 0.0;   ///< rad/s of the cam
+    double before_ = 0.0;  ///< rad: from the roller's rest to the scene's begin
     std::vector<double> joints_;
 };
 

@@ -35,7 +35,8 @@ std::vector<std::string> notes() {
         "Both strokes start and end at rest at the same place with a constant acceleration, so on one guide "
         "the return is the forward motion run backwards, 1.58 times as fast: velocities times 1.58, "
         "accelerations times 2.4964. The best guide of one stroke is the best of both.",
-        "All of it follows from scenes/given_guide_forward.toml and given_guide_return.toml; the best motions "
+        "All of it follows from scenes/given_guide_forward.toml and given_guide_return.toml; the best "
+        "motions "
         "are proved optimal among cubic splines of 24 segments for the weights of "
         "velocity, acceleration and jerk named (divided by the modified sine's peaks); the guide follows "
         "from the motion in closed form.",

@@ -29,7 +29,8 @@ PaperSeries over_time(const std::string& title, const FeederStroke& stroke,
         for (const Side side : {Side::left, Side::right}) {
             if (side == Side::left && !joint) continue;
             series.x.push_back(time);
-            series.y.push_back(quantity(stroke.at(time, back == (side == Side::left) ? Side::right : Side::left)));
+            series.y.push_back(
+                quantity(stroke.at(time, back == (side == Side::left) ? Side::right : Side::left)));
         }
     }
     return series;
@@ -98,7 +99,8 @@ void add_pose(PaperFigure& figure, double time, const std::string& title) {
     const MotionScale scale{solution.scene.motion.lift, solution.scene.motion.unit_angle()};
     const Eigen::Rotation2D<double> turn(state.body.angle);
     std::vector<Eigen::Vector2d> guide;
-    for (const MechanismPoint& point : mechanism_profile(solution.cam->cam, *solution.motion, scale, points).points)
+    for (const MechanismPoint& point :
+         mechanism_profile(solution.cam->cam, *solution.motion, scale, points).points)
         guide.emplace_back(turn * Eigen::Vector2d(point.pitch.head<2>()));
     figure.series.push_back(points_of("guide, " + title, guide));
     const FeederLinkage linkage = linkage_of(solution.cam->cam.dimensions);

@@ -90,7 +90,8 @@ GuideFigures figures_of(const std::vector<Place>& places) {
         most.pressure_angle = std::max(most.pressure_angle, std::abs(place.pressure_angle));
         most.curvature = std::max(most.curvature, std::abs(place.curvature));
         if (before != nullptr && before->distance == place.distance)
-            most.step = std::max(most.step, std::abs(place.feeder.acceleration - before->feeder.acceleration));
+            most.step =
+                std::max(most.step, std::abs(place.feeder.acceleration - before->feeder.acceleration));
         before = &place;
     }
     if (most.step <= rounding * most.acceleration) most.step = 0.0;
@@ -98,21 +99,22 @@ GuideFigures figures_of(const std::vector<Place>& places) {
 }
 
 PaperTable candidate_table(const std::vector<Candidate>& candidates) {
-    PaperTable table{"guides",
-                     "Guides for the same stroke of the feeder, compared with that of lines and arcs",
-                     "Feeder peaks with the paper's roller, forward stroke: the given guide, and laws and optima "
-                     "in the same machine without it. Step: jump of the feeder's acceleration at a joint, where "
-                     "the jerk is infinite; ours have none. Same path: the feeder moves while the roller is "
-                     "where it moves on lines and arcs; long path: while it goes from 3 to 13.9 in (chosen). "
-                     "On the return the velocities are 1.58, the accelerations 2.4964 times as large.",
-                     {{"guide", "guide", ""},
-                      {"velocity_in_s", "Y′", "in/s", 4},
-                      {"acceleration_in_s2", "Y″", "in/s²", 5},
-                      {"step_in_s2", "step of Y″", "in/s²", 4},
-                      {"pressure_angle_deg", "largest µ", "deg", 4},
-                      {"least_radius_in", "least radius", "in", 4},
-                      {"verdict", "motion", ""}},
-                     {}};
+    PaperTable table{
+        "guides",
+        "Guides for the same stroke of the feeder, compared with that of lines and arcs",
+        "Feeder peaks with the paper's roller, forward stroke: the given guide, and laws and optima "
+        "in the same machine without it. Step: jump of the feeder's acceleration at a joint, where "
+        "the jerk is infinite; ours have none. Same path: the feeder moves while the roller is "
+        "where it moves on lines and arcs; long path: while it goes from 3 to 13.9 in (chosen). "
+        "On the return the velocities are 1.58, the accelerations 2.4964 times as large.",
+        {{"guide", "guide", ""},
+         {"velocity_in_s", "Y′", "in/s", 4},
+         {"acceleration_in_s2", "Y″", "in/s²", 5},
+         {"step_in_s2", "step of Y″", "in/s²", 4},
+         {"pressure_angle_deg", "largest µ", "deg", 4},
+         {"least_radius_in", "least radius", "in", 4},
+         {"verdict", "motion", ""}},
+        {}};
     for (const Candidate& one : candidates) {
         const GuideFigures f = figures_of(places_of(one));
         table.rows.push_back({one.name, f.velocity / inch, f.acceleration / inch, f.step / inch,
@@ -152,9 +154,14 @@ void add_figures(PaperReport& report, const std::vector<Candidate>& candidates) 
         report.figures.push_back(std::move(*figure));
 }
 
-Candidate candidate_of(const std::string& name, const Scene& scene, std::shared_ptr<const MotionChain> motion) {
-    return {name, "", {scene.cam->formulas(), scene.cam->middle()},
-            {scene.motion.lift, scene.motion.unit_angle()}, std::move(motion), scene.motion.speed.value()};
+Candidate candidate_of(const std::string& name, const Scene& scene,
+                       std::shared_ptr<const MotionChain> motion) {
+    return {name,
+            "",
+            {scene.cam->formulas(), scene.cam->middle()},
+            {scene.motion.lift, scene.motion.unit_angle()},
+            std::move(motion),
+            scene.motion.speed.value()};
 }
 
 }  // namespace

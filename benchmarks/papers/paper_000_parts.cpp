@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/papers/paper_000_parts.hpp"
+
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 

@@ -51,7 +51,8 @@ PaperTable forward_table() {
                       {"relative", "of its lift", "", 3},
                       {"seconds", "time", "s", 2}},
                      {}};
-    for (const auto& [name, stroke] : {std::pair{"forward", &forward_stroke()}, {"return", &return_stroke()}}) {
+    for (const auto& [name, stroke] :
+         {std::pair{"forward", &forward_stroke()}, {"return", &return_stroke()}}) {
         const ForwardCheckReport check = check_guide(stroke->solution());
         table.rows.push_back({std::string(name), static_cast<double>(check.points), check.deviation / inch,
                               check.relative, check.seconds});
@@ -74,20 +75,20 @@ double theta_from_feeder(const PrintedRow& row) {
 }
 
 PaperTable table_1() {
-    PaperTable table{
-        "table_1",
-        "Table 1: kinematic properties of cam and feeder",
-        "Ours: the motion of the scenes of given guides. Half digits: difference in halves of the last printed "
-        "digit; up to 1 agrees to the printed rounding.",
-        {{"time_s", "t", "s", 4},
-         {"quantity", "quantity", ""},
-         {"unit", "unit", ""},
-         {"printed", "printed", "", 7},
-         {"ours", "ours", "", 6},
-         {"difference", "difference", "", 2},
-         {"half_digits", "half digits", "", 3},
-         {"remark", "remark", ""}},
-        {}};
+    PaperTable table{"table_1",
+                     "Table 1: kinematic properties of cam and feeder",
+                     "Ours: the motion of the scenes of given guides. Half digits: difference in halves of "
+                     "the last printed "
+                     "digit; up to 1 agrees to the printed rounding.",
+                     {{"time_s", "t", "s", 4},
+                      {"quantity", "quantity", ""},
+                      {"unit", "unit", ""},
+                      {"printed", "printed", "", 7},
+                      {"ours", "ours", "", 6},
+                      {"difference", "difference", "", 2},
+                      {"half_digits", "half digits", "", 3},
+                      {"remark", "remark", ""}},
+                     {}};
     for (const PrintedRow& row : printed_rows()) {
         const auto values = computed_row(row);
         for (int i = 0; i < columns; ++i) {

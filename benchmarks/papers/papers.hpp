@@ -24,9 +24,9 @@ struct PaperInfo {
 [[nodiscard]] const PaperInfo& find_paper(std::string_view id);
 
 // J.-H. Shin, Y.-H. Choi, C.-S. Rho, "Kinematic Analysis and Simulation of an Automatic Feeding Mechanism
-// Subjected by a Curvilinear Inverse Cam (I)": Table 1 and Figs. 7, 9 and 10 from the scene files of the given
-// guides, with the misprints, the approximate method against the exact one, forward simulations, and the guide
-// that the paper does not ask for: the best one.
+// Subjected by a Curvilinear Inverse Cam (I)": Table 1 and Figs. 7, 9 and 10 from the scene files of the
+// given guides, with the misprints, the approximate method against the exact one, forward simulations, and
+// the guide that the paper does not ask for: the best one.
 
 /// About a second.
 [[nodiscard]] PaperReport paper_000(const SolveControl& control = {}, const PaperProgress& finished = {});

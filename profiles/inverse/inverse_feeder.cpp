@@ -50,8 +50,8 @@ double counted_on(double angle, double reference) {
 
 std::string_view name_of(InverseFault fault) {
     return word_of<InverseFault::roller_at_rest>(
-        fault, {"none", "pin_on_rocker_pivot",
-                "rocker_along_feeder", "rocker_misses_pin", "pin_at_dead_point", "roller_at_rest"});
+        fault, {"none", "pin_on_rocker_pivot", "rocker_along_feeder", "rocker_misses_pin",
+                "pin_at_dead_point", "roller_at_rest"});
 }
 
 FeederMotion feeder_motion(const FeederLinkage& linkage, const BodyMotion& body) {

@@ -23,19 +23,20 @@ NO_TURN = 1e-9        # rad
 
 
 class Polygon:
-    """Around the curve at a distance `offset` outside the profile. `corners` in order, their `places`; no point of the curve is
-    further than `sag` from the edges."""
+    """Around the curve at a distance `offset` outside the profile, of a plate closed by its sides and its bottom at y = 0. `corners` in
+    order, their `places`; no point of the curve is further than `sag` from the edges."""
 
     def __init__(self, cam, offset, sag):
         self.cam, self.offset, self.sag, self.corners, self.places = cam, offset, 0.0, [], []
-        end = cam.motion.end
-        x, step = 0, end // FIRST_STEPS
-        self.places.append(0)
-        self.corners.append(cam.point(0, offset)[:2])
+        end, is_open = cam.motion.end, cam.motion.is_open
+        x = cam.motion.begin if is_open else 0
+        step = (end - x) // FIRST_STEPS
+        self.places.append(x)
+        self.corners.append(cam.point(x, offset)[:2])
         while x < end:
             piece = cam.motion.piece_at(x)
             to = min(x + step, piece.end)
-            corner = cam.point(to, offset)[:2] if to < end else self.corners[0]
+            corner = cam.point(to, offset)[:2] if to < end or is_open else self.corners[0]
             found = self.departure(piece, x, to, corner)
             width, ratio = to - x, min(2.0, max(0.2, math.sqrt(0.8 * sag / max(found, 1e-30))))
             if found <= sag:
@@ -48,6 +49,9 @@ class Polygon:
             step = int(width * ratio)  # the deviation grows with the square of the width
             if step < LEAST_STEP or len(self.corners) > MOST_EDGES:
                 raise Unverified(f"an outline that no polygon approximates at {cam.degrees(x):.3f} deg")
+        if is_open:
+            self.corners += [(self.corners[-1][0], 0.0), (self.corners[0][0], 0.0), self.corners[0]]
+            self.places += [x, x, x]
         self.tree = Node(self.corners, 0, len(self.corners) - 1)
 
     def departure(self, piece, lo, hi, corner):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cam.nc of a disk cam on three axes; groove_nc.py judges those of other cams. Paths are those of the cutter's centre, under G41 and
+"""cam.nc of a disk cam on three axes; plate_nc.py judges those of plates, groove_nc.py those of other cams. Paths are those of the cutter's centre, under G41 and
 G42 too (compensation.py).
 
 - The finishing pass, the last closed path at the lowest depth, against the designed path of the cutter's centre, both ways.
@@ -9,10 +9,11 @@ G42 too (compensation.py).
   upper end, so it cuts where its centre comes nearer to an outline than its radius.
 """
 import math
+import sys
 
 from certificate_checker.exact import Refuted, Unverified
 
-from . import groove_nc
+from . import groove_nc, plate_nc
 from certificate_checker.rational import Fraction
 from .clearance import ROUNDING, Arc, point_to_line
 from .departure import largest_departure
@@ -164,6 +165,8 @@ def verify(text, scene, design, second=None):
     second disk of a conjugate cam; None: as its title says."""
     if scene.get("cam", {}).get("type") in ("barrel", "cylindrical"):
         return groove_nc.verify(text, scene, design)
+    if scene.get("cam", {}).get("type") == "linear":
+        return plate_nc.verify(text, scene, design, sys.modules[__name__])
     cam = PlaneCam(scene, design, is_second(text) if second is None else second)
     if cam.motion.is_open:
         raise Unverified("a program of a cam that is not closed")

@@ -18,6 +18,9 @@ WORD = re.compile(r"\s*([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))")
 COMMENT = re.compile(r"\([^()]*\)|^;.*")
 TOOL = re.compile(r"[(;]tool: cylindrical end mill, diameter (\d+(?:\.\d+)?(?:e[+-]?\d+)?) mm\b")
 BLANK = re.compile(r"[(;]blank: cylinder about the axis of the cam, diameter (\d+(?:\.\d+)?) mm, from (-?\d+(?:\.\d+)?) to (-?\d+(?:\.\d+)?) mm ")
+MILLIMETRES = r"(-?\d+(?:\.\d+)?)"
+BLOCK = re.compile(r"[(;]blank: block, " + ", ".join(f"{axis} from {MILLIMETRES} to {MILLIMETRES} mm" for axis in "xyz"))
+HELD = re.compile(rf"[(;]fixture: the plate is held below y = {MILLIMETRES} mm, clamps lie at most {MILLIMETRES} mm above the blank")
 REGISTER = re.compile(r"[(;]compensation: .*, register D(\d+) holds the cutter's radius of (\d+(?:\.\d+)?) mm")
 PRINTED = Fraction(1, 10**4)        # mm: of that radius
 CLAMPS = re.compile(r"[(;]fixture: .*clamps lie within diameter (\d+(?:\.\d+)?) mm about its axis, at most (\d+(?:\.\d+)?) mm above the blank")
@@ -32,7 +35,8 @@ HARMLESS = set("FSTNO")             # feed, speed, tool, number of block and pro
 
 class Program:
     """`axes`, by which the moves are those of the cam; `moves` of the cutter's centre; `radius` of the cutter; `blank`: (radius, from, to)
-    along z, or None; `groove_depth`, or None. `clamps`: (radius about the cam's axis, z up to which they may reach), or None. `side`: 1
+    along z, or None; `groove_depth`, or None. `clamps`: (radius about the cam's axis, z up to which they may reach), or None.
+    `bar`: the block of a plate, from and to along x, y, z, or None; `held`: (y up to which clamps may hold it, z likewise), or None. `side`: 1
     under G41, -1 under G42; `programmed`: the moves there so far."""
 
     def __init__(self, text):
@@ -46,6 +50,9 @@ class Program:
         self.blank = (Fraction(blank[1]) / 2, Fraction(blank[2]), Fraction(blank[3])) if blank else None
         clamps = CLAMPS.search(text)
         self.clamps = (Fraction(clamps[1]) / 2, self.blank[2] + Fraction(clamps[2])) if clamps and self.blank else None
+        bar, held = BLOCK.search(text), HELD.search(text)
+        self.bar = tuple(map(Fraction, bar.groups())) if bar else None
+        self.held = (Fraction(held[1]), self.bar[5] + Fraction(held[2])) if held and self.bar else None
         self.unit, self.absolute, self.kind, self.ended = None, None, None, False
         self.position, self.moves = [None] * len(self.axes.letters), []
         self.register, self.side, self.last_side, self.programmed = REGISTER.search(text), 0, 0, []

@@ -103,7 +103,8 @@ PlaneContour contour_of(const ProfileShape& shape) {
 PlaneBody plate_body(const ProfileShape& shape) {
     PlaneBody body{contour_of(shape), shape.knots};
     const double end = shape.end();
-    const Eigen::Vector2d first = in_plane(shape.at(shape.begin()).contact), last = in_plane(shape.at(end).contact);
+    const Eigen::Vector2d first = in_plane(shape.at(shape.begin()).contact),
+                          last = in_plane(shape.at(end).contact);
     const std::array<Eigen::Vector2d, 4> corners = {last, {last.x(), 0.0}, {first.x(), 0.0}, first};
     body.contour = [surface = body.contour, corners, end](double theta) -> ContourPoint {
         if (theta <= end) return surface(theta);
@@ -111,22 +112,25 @@ PlaneBody plate_body(const ProfileShape& shape) {
         const double part = theta - end - static_cast<double>(side);
         return {(1.0 - part) * corners[side] + part * corners[side + 1], Eigen::Vector2d::Zero()};
     };
-    for (std::size_t side = 1; side < corners.size(); ++side) body.knots.push_back(end + static_cast<double>(side));
+    for (std::size_t side = 1; side < corners.size(); ++side)
+        body.knots.push_back(end + static_cast<double>(side));
     return body;
 }
 
 /// Sides, bottom and faces of the plate are made before; the allowance is above the surface.
 Blank plate_blank(const ProfileShape& shape, const DiskNcOptions& options) {
     if (options.blank.radius)
-        throw InputError("blank: found a diameter; allowed: none, a plate is cut from a block of its own length");
+        throw InputError(
+            "blank: found a diameter; allowed: none, a plate is cut from a block as long as itself");
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& point : contour_points(shape, checked_points)) box.extend(point);
     const double first = shape.at(shape.begin()).contact.x(), last = shape.at(shape.end()).contact.x();
     box.extend(in_plane(shape.at(shape.end()).contact));
     Blank blank = chosen_blank({box.diagonal().norm(), -options.thickness, 0.0}, options.blank);
     blank.radius = 0.0;
-    blank.block = Eigen::AlignedBox2d(Eigen::Vector2d(std::min(first, last), 0.0),
-                                      Eigen::Vector2d(std::max(first, last), box.max().y() + options.blank.allowance));
+    blank.block =
+        Eigen::AlignedBox2d(Eigen::Vector2d(std::min(first, last), 0.0),
+                            Eigen::Vector2d(std::max(first, last), box.max().y() + options.blank.allowance));
     if (blank.lower <= -options.thickness && blank.upper >= 0.0) return blank;
     throw InputError(fmt::format("blank: {} does not hold the plate, which lies between {:g} mm and 0",
                                  words_of(blank), millimetres_shown.of(-options.thickness)));

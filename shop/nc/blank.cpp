@@ -56,9 +56,10 @@ void Blank::validate() const {
 }
 
 double Blank::support(const Eigen::Vector3d& direction) const {
-    const double across = block ? std::max(direction.x() * block->min().x(), direction.x() * block->max().x()) +
-                                      std::max(direction.y() * block->min().y(), direction.y() * block->max().y())
-                                : radius * std::hypot(direction.x(), direction.y());
+    const double across =
+        block ? std::max(direction.x() * block->min().x(), direction.x() * block->max().x()) +
+                    std::max(direction.y() * block->min().y(), direction.y() * block->max().y())
+              : radius * std::hypot(direction.x(), direction.y());
     return across + std::max(direction.z() * lower, direction.z() * upper);
 }
 
@@ -121,10 +122,11 @@ double distance_to_blank(const Blank& blank, const ToolPose& pose, double cutter
 
 std::string words_of(const Blank& blank) {
     if (blank.block)
-        return fmt::format("block, x from {:.3f} to {:.3f} mm, y from {:.3f} to {:.3f} mm, z from {:.3f} to {:.3f} mm",
-                           blank.block->min().x() / units::millimetre, blank.block->max().x() / units::millimetre,
-                           blank.block->min().y() / units::millimetre, blank.block->max().y() / units::millimetre,
-                           blank.lower / units::millimetre, blank.upper / units::millimetre);
+        return fmt::format(
+            "block, x from {:.3f} to {:.3f} mm, y from {:.3f} to {:.3f} mm, z from {:.3f} to {:.3f} mm",
+            blank.block->min().x() / units::millimetre, blank.block->max().x() / units::millimetre,
+            blank.block->min().y() / units::millimetre, blank.block->max().y() / units::millimetre,
+            blank.lower / units::millimetre, blank.upper / units::millimetre);
     return fmt::format(
         "cylinder about the axis of the cam, diameter {:.3f} mm, from {:.3f} to {:.3f} mm along it",
         2.0 * blank.radius / units::millimetre, blank.lower / units::millimetre,
@@ -134,7 +136,8 @@ std::string words_of(const Blank& blank) {
 std::string clamp_words(const Blank& clamp) {
     if (clamp.block)
         return fmt::format("below y = {:g} mm along the plate", clamp.block->max().y() / units::millimetre);
-    return fmt::format("within diameter {:g} mm about the cam's axis", 2.0 * clamp.radius / units::millimetre);
+    return fmt::format("within diameter {:g} mm about the cam's axis",
+                       2.0 * clamp.radius / units::millimetre);
 }
 
 }  // namespace camopt

@@ -53,8 +53,8 @@ struct BlankChoice {
 /// For the program's reader: size and place, mm.
 [[nodiscard]] std::string words_of(const Blank& blank);
 
-/// Where clamps are that have the form of a blank: "within diameter 30 mm about the cam's axis", "below y = 12 mm
-/// along the plate".
+/// Where clamps are that have the form of a blank: "within diameter 30 mm about the cam's axis", "below y =
+/// 12 mm along the plate".
 [[nodiscard]] std::string clamp_words(const Blank& clamp);
 
 }  // namespace camopt

@@ -130,9 +130,9 @@ std::optional<Blank> clamp_of(const NcJob& job, const Machine& machine) {
 
 std::string words_of_clamp(const NcJob& job, const Machine& machine, const Blank& clamp) {
     if (clamp.block)
-        return fmt::format("fixture: the plate is held below y = {:g} mm, clamps lie at most {:g} mm above the blank",
-                           clamp.block->max().y() / units::millimetre,
-                           (clamp.upper - job.blank.upper) / units::millimetre);
+        return fmt::format(
+            "fixture: the plate is held below y = {:g} mm, clamps lie at most {:g} mm above the blank",
+            clamp.block->max().y() / units::millimetre, (clamp.upper - job.blank.upper) / units::millimetre);
     const double diameter = 2.0 * clamp.radius / units::millimetre;
     if (is_plane(machine))
         return fmt::format(
@@ -250,8 +250,9 @@ CheckedProgram checked_program(const Machine& machine, const PostProcessor& post
         work.job.remarks.push_back(words_of_clamp(work.job, machine, *result.clamp));
     else
         work.job.warnings.emplace_back(
-            work.job.blank.block ? "the cutter leaves no space below the surface to hold the plate"
-                                 : "the cutter leaves no space about the cam's axis to hold the cam by its bore");
+            work.job.blank.block
+                ? "the cutter leaves no space below the surface to hold the plate"
+                : "the cutter leaves no space about the cam's axis to hold the cam by its bore");
     result.program = nc_program(machine, post, work.job);
     result.warnings = warnings_of(post, work.job);
     verify(result, machine, post, work);

@@ -188,8 +188,7 @@ class Travel {
                                                      mm(depth), mm(task_.most_depth)));
         const double apart = task_.clamp ? distance_to_clamp(pose, around) : HUGE_VAL;
         if (apart < 0.0)
-            return refuse(
-                fmt::format("the cutter comes {}, where clamps lie", clamp_words(*task_.clamp)));
+            return refuse(fmt::format("the cutter comes {}, where clamps lie", clamp_words(*task_.clamp)));
         if (around <= task_.cutter_radius && depth + around <= task_.most_depth + rounding &&
             around <= apart + rounding)
             return;

@@ -441,8 +441,12 @@ std::vector<Sheet> cam_sheets(const View& view, const CamSheetOptions& options) 
     const Solution& solution = view.solution;
     const std::optional<ProfileShape> shape = delivered_shape(view);
     if (!shape)
-        throw InputError("a workshop drawing needs a cam that its follower touches, and this solution has none");
-    if (shape->is_plate()) return {plate_sheet(solution, *shape, drawing_of(solution, *shape, options))};
+        throw InputError(
+            "a workshop drawing needs a cam that its follower touches, and this solution has none");
+    if (shape->is_plate()) {
+        const DrawingSpec drawing = drawing_of(solution, *shape, options);
+        return {plate_sheet(solution, *shape, drawing, cam_volume(*shape, drawing))};
+    }
     std::vector<Sheet> sheets;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -3,7 +3,6 @@
 
 #include "report/drawing/plane_cam.hpp"
 #include "shop/dxf/cam_dxf.hpp"
-#include "shop/sheet/cam_sheet.hpp"
 #include "shop/sheet/dimension_marks.hpp"
 #include "shop/sheet/form_notes.hpp"
 #include "shop/sheet/sheet_furniture.hpp"
@@ -29,10 +28,12 @@ constexpr double left_of_plate = 28e-3, beside_end_view = 22e-3, right_of_end_vi
 
 class PlateSheetMaker {
  public:
-    PlateSheetMaker(const Solution& solution, const ProfileShape& shape, const DrawingSpec& drawing)
+    PlateSheetMaker(const Solution& solution, const ProfileShape& shape, const DrawingSpec& drawing,
+                    double volume)
         : solution_(solution),
           shape_(shape),
           drawing_(drawing),
+          volume_(volume),
           first_(in_plane(shape.at(shape.begin()).contact)),
           last_(in_plane(shape.at(shape.end()).contact)) {
         box_.add({first_.x(), 0.0});
@@ -63,6 +64,7 @@ class PlateSheetMaker {
     const Solution& solution_;
     const ProfileShape& shape_;
     const DrawingSpec& drawing_;
+    double volume_;
     Vector2d first_, last_;  ///< ends of the surface, left and right
     double highest_ = 0.0;
     DrawingBox box_;
@@ -78,7 +80,7 @@ class PlateSheetMaker {
         // The dwells that the plate has before and behind its motion are straight.
         const double begin = shape_.start,
                      end = begin + solution_.motion->end() * solution_.scene.motion.unit_angle();
-        const double range = (end - begin) / degree;
+        const double range = degrees_shown.of(end - begin);
         const int step = row_step * static_cast<int>(std::ceil(range / (most_rows - 1) / row_step - 1e-9));
         table_.rows_a_block = most_rows;
         const LengthUnit unit = solution_.scene.length_unit;
@@ -89,8 +91,8 @@ class PlateSheetMaker {
         if (shape_.has_roller()) table_.head.insert(table_.head.end(), {"xc", "yc"});
         const auto add = [&](double theta) {
             const MechanismPoint point = shape_.at(theta);
-            table_.rows.push_back({fmt::format("{}°", svg_number(theta / degree, 2)), shown(point.contact.x()),
-                                   shown(point.contact.y())});
+            table_.rows.push_back({fmt::format("{}°", svg_number(degrees_shown.of(theta), 2)),
+                                   shown(point.contact.x()), shown(point.contact.y())});
             if (!shape_.has_roller()) return;
             table_.rows.back().push_back(shown(point.pitch.x()));
             table_.rows.back().push_back(shown(point.pitch.y()));
@@ -102,7 +104,8 @@ class PlateSheetMaker {
     void place_views() {
         const Vector2d room = room_for_views(sheet_, table_.width());
         const double scale = sheet_.scale;
-        const double wide = left_of_plate + scale * (box_.size().x() + thickness()) + beside_end_view + right_of_end_view;
+        const double wide =
+            left_of_plate + scale * (box_.size().x() + thickness()) + beside_end_view + right_of_end_view;
         const double high = over + scale * box_.size().y() + under;
         const double left = sheet_left_margin + block_distance + 0.5 * (room.x() - wide) + left_of_plate;
         const double bottom =
@@ -121,12 +124,18 @@ class PlateSheetMaker {
     }
 
     void add_outline() {
-        draw().path("cam", body_outline(shape_, outline_chain(shape_, true, surface_tolerance).vertices), true);
-        if (shape_.has_roller()) draw().path("pitch", outline_chain(shape_, false, surface_tolerance).vertices, false);
+        draw().path("cam", body_outline(shape_, outline_chain(shape_, true, surface_tolerance).vertices),
+                    true);
+        if (shape_.has_roller())
+            draw().path("pitch", outline_chain(shape_, false, surface_tolerance).vertices, false);
         const double top = box_.most.y() + paper(datum_overhang);
         if (first_.x() <= 0.0 && last_.x() >= 0.0) {
             draw().line("datum", {0.0, -paper(datum_overhang)}, {0.0, top});
-            draw().text({"datum-words", {0.0, top + paper(1e-3)}, paper(words_height), "datum, x = 0", TextSide::middle});
+            draw().text({"datum-words",
+                         {0.0, top + paper(1e-3)},
+                         paper(words_height),
+                         "datum, x = 0",
+                         TextSide::middle});
         }
         const double up = 90.0 * degree, left = box_.least.x() - paper(first_line),
                      right = box_.most.x() + paper(first_line), low = -paper(first_line);
@@ -152,7 +161,8 @@ class PlateSheetMaker {
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> notes;
         if (solution_.cam->summary.undercut())
-            notes.emplace_back("UNDERCUT: the outline intersects itself; this plate cannot be made as designed.");
+            notes.emplace_back(
+                "UNDERCUT: the outline intersects itself; this plate cannot be made as designed.");
         if (solution_.cam->summary.cusp())
             notes.emplace_back("CUSP: the least radius of curvature is 0, an edge that wears.");
         notes.push_back(follower_note(shape_, sheet_.lengths));
@@ -163,8 +173,9 @@ class PlateSheetMaker {
             drawn_length(units::turn * *shape_.formulas().slide(shape_.cam.dimensions), sheet_.lengths),
             backwards ? "-" : "+"));
         add_form_notes(notes, solution_);
-        notes.push_back(fmt::format("x from the datum, y from the bottom. x, y: where the follower touches at θ{}.",
-                                    shape_.has_roller() ? "; xc, yc: its roller's centre" : ""));
+        notes.push_back(
+            fmt::format("x from the datum, y from the bottom. x, y: where the follower touches at θ{}.",
+                        shape_.has_roller() ? "; xc, yc: its roller's centre" : ""));
         add_tolerance_notes(notes, solution_.scene);
         return notes;
     }
@@ -174,7 +185,7 @@ class PlateSheetMaker {
         if (title.part.empty()) title.part = sheet_.title;
         std::string mass;
         if (drawing_.density && !solution_.cam->summary.undercut())
-            mass = weight_shown(sheet_.lengths).text(*drawing_.density * cam_volume(shape_, drawing_), 3);
+            mass = weight_shown(sheet_.lengths).text(*drawing_.density * volume_, 3);
         add_frame(sheet_, title, mass, drawing_.projection);
         const double right = sheet_.width - sheet_margin, top = sheet_.height - sheet_margin;
         add_table(sheet_, table_, {right - table_.width(), top});
@@ -186,8 +197,9 @@ class PlateSheetMaker {
 
 }  // namespace
 
-Sheet plate_sheet(const Solution& solution, const ProfileShape& shape, const DrawingSpec& drawing) {
-    return PlateSheetMaker(solution, shape, drawing).make();
+Sheet plate_sheet(const Solution& solution, const ProfileShape& shape, const DrawingSpec& drawing,
+                  double volume) {
+    return PlateSheetMaker(solution, shape, drawing, volume).make();
 }
 
 }  // namespace camopt

@@ -114,7 +114,8 @@ class ToolPathPainter {
             second_.box.add({second_.box.least.x(), blank.radius});
         } else {
             if (blank.block)
-                for (const Vector2d& corner : {blank.block->min(), blank.block->max()}) first_.box.add(corner);
+                for (const Vector2d& corner : {blank.block->min(), blank.block->max()})
+                    first_.box.add(corner);
             else
                 first_.box.add({0.0, 0.0}, blank.radius);
             second_.box.add({first_.box.least.x(), blank.lower});
@@ -271,7 +272,8 @@ class ToolPathPainter {
         column.heading("Figures");
         column.words(fmt::format("cutter ⌀ {}", length(work_.task.cutter.diameter)));
         if (const auto& block = work_.job.blank.block)
-            column.words(fmt::format("blank {} × {}", length(block->sizes().x()), length(block->sizes().y())));
+            column.words(
+                fmt::format("blank {} × {}", length(block->sizes().x()), length(block->sizes().y())));
         else
             column.words(fmt::format("blank ⌀ {}", length(2.0 * work_.job.blank.radius)));
         column.words(fmt::format("passes {}", program_.travel.passes));

@@ -132,7 +132,8 @@ FlankContact::Nearest FlankContact::nearest(double theta, double s) {
         return distance_from(follower_, axis, curve_.at(parameter));
     };
     if (!placed_) {
-        // Of a groove that closes, begin and end are one place but for rounding: it is followed from the begin on.
+        // Of a groove that closes, begin and end are one place but for rounding: it is followed from the
+        // begin on.
         const double same = same_place * follower_.roller_radius;
         for (std::size_t i = 0; i < places_.size(); ++i)
             if (at_place(i) < at_place(place_) - same) place_ = i;

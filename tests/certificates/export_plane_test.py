@@ -273,6 +273,28 @@ class ExportOfPlaneCams(unittest.TestCase):
                     self.assertGreater(spoiled.bounds["profile_mm"], 0.004)
                     self.assertIn(f"line {line},", spoiled.places["profile_mm"])
 
+    def test_programs_of_plates(self):
+        """As they are; then a block of the finishing pass is moved into the plate, a rapid lowered, a clamp raised."""
+        for name in PLATES:
+            with self.subTest(name):
+                scene, result, _, program = self.exported(name + "_program", checker.ROOT / "scenes" / (name + ".toml"))
+                found = self.nc.verify(program, scene, result)
+                self.assertEqual(([], []), (found.faults, found.unverified))
+                self.assertLess(found.bounds["profile_mm"], 1.5e-3)
+                self.assertLess(found.bounds["gouge_mm"], 1.5e-3)
+                lines = program.splitlines()
+                finish = next(i for i, line in enumerate(lines) if "pass: along the surface" in line)
+                middle = next(i for i, line in enumerate(lines) if i > finish + 60 and " Y" in line)
+                spoiled = list(lines)
+                spoiled[middle] = re.sub(r"Y(\d+\.\d+)", lambda own: f"Y{float(own[1]) - 0.1:.4f}", lines[middle])
+                found = self.nc.verify("\n".join(spoiled), scene, result)
+                for bound in ("profile_mm", "gouge_mm"):
+                    self.assertAlmostEqual(found.bounds[bound], 0.1, delta=0.03)
+                found = self.nc.verify("G0 Z-1.0000\nG0 X".join(program.rsplit("G0 Z20.0000\nG0 X", 1)), scene, result)
+                self.assertIn("a rapid through the blank", " ".join(found.faults))
+                found = self.nc.verify(re.sub(r"held below y = \d+", "held below y = 60", program), scene, result)
+                self.assertIn("enters the room for clamps", " ".join(found.faults))
+
     def test_plates(self):
         """The surface, closed by sides and bottom; then a vertex of each is moved, and the plate slides the other way."""
         for name in PLATES:

@@ -7,14 +7,15 @@ namespace camopt {
 
 namespace {
 
-constexpr int surface_samples = 1440;       // along the surface, for its extent and for runs
-constexpr double allowed_inside = 1e-6;     // m: what a line may be nearer to the plate than it is told
-constexpr double beside_safe = 1e-4;        // m: so that printed digits do not matter
-constexpr double switching_way = 1e-3;          // m: of the block that switches compensation, beside the cutter
-constexpr double below_everything = -1e3;   // m: no matter how thick the plate is
-constexpr double one_knot = 1e-6;           // of the path: two knots nearer than that are one
+constexpr int surface_samples = 1440;      // along the surface, for its extent and for runs
+constexpr double allowed_inside = 1e-6;    // m: what a line may be nearer to the plate than it is told
+constexpr double beside_safe = 1e-4;       // m: so that printed digits do not matter
+constexpr double switching_way = 1e-3;     // m: of the block that switches compensation, beside the cutter
+constexpr double below_everything = -1e3;  // m: no matter how thick the plate is
+constexpr double one_knot = 1e-6;          // of the path: two knots nearer than that are one
 
-/// The surface as the tool runs along it, and on along its end tangents: v ascends, in the units of the knots.
+/// The surface as the tool runs along it, and on along its end tangents: v ascends, in the units of the
+/// knots.
 class LongSurface {
  public:
     LongSurface(const PlateMilling& milling, bool tool_to_plus_x, double beyond)
@@ -83,19 +84,21 @@ class PlatePassMaker {
     void describe(std::vector<std::string>& remarks) const {
         const MillingChoice& choice = milling_.choice;
         const bool right_handed = choice.spindle == SpindleSense::clockwise;
-        remarks.push_back(fmt::format("direction: {}, the tool goes towards {}x along the surface, spindle "
-                                      "{}clockwise {}",
-                                      choice.climbs() ? "climb" : "conventional", to_plus_x_ ? "+" : "-",
-                                      right_handed ? "" : "counter", right_handed ? "M3" : "M4"));
-        remarks.emplace_back("in and out: beside the blank, along the tangents at the ends of the surface");
+        remarks.push_back(
+            fmt::format("direction: {}, the tool goes towards {}x along the surface, spindle "
+                        "{}clockwise {}",
+                        choice.climbs() ? "climb" : "conventional", to_plus_x_ ? "+" : "-",
+                        right_handed ? "" : "counter", right_handed ? "M3" : "M4"));
+        remarks.emplace_back("in and out: next to the blank, along the tangents at the ends of the surface");
         if (choice.compensation == CompensationWords::none)
             remarks.emplace_back("compensation: none, the program is the path of the cutter's centre");
         else
-            remarks.push_back(fmt::format(
-                "compensation: by the control in the finishing pass, which is the surface itself; register D{} "
-                "holds the cutter's radius of {:g} mm, or its diameter, as the control requires",
-                choice.compensation_register.value_or(choice.tool_number.value_or(1)),
-                radius_ / units::millimetre));
+            remarks.push_back(
+                fmt::format("compensation: by the control in the finishing pass, which is the surface "
+                            "itself; register D{} "
+                            "holds the cutter's radius of {:g} mm, or its diameter, as the control requires",
+                            choice.compensation_register.value_or(choice.tool_number.value_or(1)),
+                            radius_ / units::millimetre));
     }
 
     /// How far the blank's upper side stands off the surface, at most.
@@ -104,9 +107,9 @@ class PlatePassMaker {
         double most = 0.0;
         for (int k = 0; k <= surface_samples; ++k) {
             const double x = block.min().x() + block.sizes().x() * k / surface_samples;
-            most = std::max(most, -milling_.cam->depth({{x, block.max().y(), below_everything},
-                                                        -Eigen::Vector3d::UnitZ()},
-                                                       0.0));
+            most =
+                std::max(most, -milling_.cam->depth(
+                                   {{x, block.max().y(), below_everything}, -Eigen::Vector3d::UnitZ()}, 0.0));
         }
         return most;
     }
@@ -120,18 +123,18 @@ class PlatePassMaker {
         const int layers = choice.layers(height(), diameter);
         for (int layer = 1; layer <= layers; ++layer)
             for (int line = lines - 1; line >= 0; --line)
-                add_line(result.passes,
-                         rough(fmt::format("roughing, layer {} of {}, line {} of {}", layer, layers,
-                                           lines - line, lines),
-                               innermost + width * line / lines,
-                               milling_.blank.upper - height() * layer / layers));
+                add_line(result.passes, rough(fmt::format("roughing, layer {} of {}, line {} of {}", layer,
+                                                          layers, lines - line, lines),
+                                              innermost + width * line / lines,
+                                              milling_.blank.upper - height() * layer / layers));
         result.remarks.push_back(words_of({layers, layers, height() / layers, width / lines, allowance_}));
     }
 
     /// The runs of a line that reach the blank; each begins and ends where the cutter is clear of it.
     void add_line(std::vector<CuttingPass>& passes, const CuttingPass& line) const {
         const double begin = line.knots.front(), length = line.knots.back() - begin;
-        const double up_and_down = 2.0 * (milling_.blank.upper + milling_.safe_distance - milling_.cutter.bottom);
+        const double up_and_down =
+            2.0 * (milling_.blank.upper + milling_.safe_distance - milling_.cutter.bottom);
         struct Run {
             double begin, end;
         };
@@ -144,7 +147,8 @@ class PlatePassMaker {
             const Eigen::Vector3d tip = line.path(v).tip;
             if ((milling_.blank.nearest(tip) - tip).head<2>().norm() < clear_distance()) {
                 if (std::exchange(inside, true)) continue;
-                const bool near = !runs.empty() && (clear_at - runs.back().end) * surface_.speed() < up_and_down;
+                const bool near =
+                    !runs.empty() && (clear_at - runs.back().end) * surface_.speed() < up_and_down;
                 if (!near) runs.push_back({clear_at, line.knots.back()});
             } else {
                 clear_at = v;

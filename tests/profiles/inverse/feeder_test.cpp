@@ -42,7 +42,8 @@ TEST(InverseFeeder, ReferenceInstants) {
         const RollerState roller =
             state_of(instant.forward ? test::forward_stroke() : test::return_stroke(), instant.time);
         const BodyMotion body =
-            test::arc_at(instant.forward ? test::forward_arcs : test::return_arcs, roller.distance).body(roller);
+            test::arc_at(instant.forward ? test::forward_arcs : test::return_arcs, roller.distance)
+                .body(roller);
         const FeederMotion moved = feeder_motion(test::reference_linkage(), body);
         ASSERT_EQ(moved.fault, InverseFault::none);
         expect_digits(body.angle, instant.theta);
@@ -73,13 +74,16 @@ TEST(InverseFeeder, DerivativesAgainstPositions) {
         EXPECT_NEAR(state.body.velocity, difference([](const auto& s) { return s.body.angle; }), 1e-6);
         EXPECT_NEAR(state.body.acceleration, difference([](const auto& s) { return s.body.velocity; }), 1e-4);
         EXPECT_NEAR(f.rocker_velocity, difference([](const auto& s) { return s.f.rocker_angle; }), 1e-5);
-        EXPECT_NEAR(f.rocker_acceleration, difference([](const auto& s) { return s.f.rocker_velocity; }), 1e-2);
+        EXPECT_NEAR(f.rocker_acceleration, difference([](const auto& s) { return s.f.rocker_velocity; }),
+                    1e-2);
         EXPECT_NEAR(f.reach_velocity, difference([](const auto& s) { return s.f.rocker_reach; }), 1e-6);
         EXPECT_NEAR(f.reach_acceleration, difference([](const auto& s) { return s.f.reach_velocity; }), 1e-3);
         EXPECT_NEAR(f.feeder.velocity, difference([](const auto& s) { return s.f.feeder.s; }), 1e-6);
-        EXPECT_NEAR(f.feeder.acceleration, difference([](const auto& s) { return s.f.feeder.velocity; }), 1e-3);
+        EXPECT_NEAR(f.feeder.acceleration, difference([](const auto& s) { return s.f.feeder.velocity; }),
+                    1e-3);
         EXPECT_NEAR(f.pin_velocity.x(), difference([](const auto& s) { return s.f.pin.x(); }), 1e-6);
-        EXPECT_NEAR(f.pin_acceleration.y(), difference([](const auto& s) { return s.f.pin_velocity.y(); }), 1e-3);
+        EXPECT_NEAR(f.pin_acceleration.y(), difference([](const auto& s) { return s.f.pin_velocity.y(); }),
+                    1e-3);
     }
 }
 
@@ -131,9 +135,11 @@ TEST(InverseFeeder, InverseFindsTheBody) {
 TEST(InverseFeeder, GuideOfMotionRoundTrips) {
     const FeederLinkage linkage = test::reference_linkage();
     for (double inches = 5.3; inches < 12.85; inches += 0.1) {
-        const RollerState roller = state_of(test::forward_stroke(), time_at(test::forward_stroke(), inches * inch));
+        const RollerState roller =
+            state_of(test::forward_stroke(), time_at(test::forward_stroke(), inches * inch));
         const test::ArcGuide& arc = test::arc_at(test::forward_arcs, roller.distance);
-        const GuideNode wanted = wanted_guide(linkage, roller, feeder_motion(linkage, arc.body(roller)).feeder);
+        const GuideNode wanted =
+            wanted_guide(linkage, roller, feeder_motion(linkage, arc.body(roller)).feeder);
         ASSERT_EQ(wanted.fault, InverseFault::none);
         const PolarNode node = arc.node(roller.distance);
         EXPECT_NEAR(wanted.node.angle, node.angle, 1e-14);

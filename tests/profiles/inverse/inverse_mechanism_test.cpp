@@ -73,7 +73,8 @@ TEST(InverseMechanism, PointsMatchGuideOfArcs) {
             EXPECT_NEAR(point.regularity, 1.0 - 0.5 * inch * side * curvature, 1e-9);
             EXPECT_NEAR((point.contact - point.pitch).norm(), 0.5 * inch, 1e-15);
             // Seen outwards along the guide the first flank lies on its left.
-            EXPECT_NEAR((point.contact - point.pitch).head<2>().dot(arc.left(distance)), side * 0.5 * inch, 1e-8);
+            EXPECT_NEAR((point.contact - point.pitch).head<2>().dot(arc.left(distance)), side * 0.5 * inch,
+                        1e-8);
             EXPECT_NEAR((point.pitch - point.contact - 0.5 * inch * point.normal).norm(), 0.0, 1e-15);
         }
     }

@@ -22,8 +22,8 @@ inline RollerStroke return_stroke() {
     return {0.158, 0.258, 0.258, 1.5 * inch, 0.0, 2496.4 * inch};
 }
 
-/// An arc of a guide, in inches: the distances of the roller that it serves, its centre (u, v), and its radius,
-/// > 0 where it bends to the left.
+/// An arc of a guide, in inches: the distances of the roller that it serves, its centre (u, v), and its
+/// radius, > 0 where it bends to the left.
 struct ArcGuide {
     double from, to, u, v, radius;
 

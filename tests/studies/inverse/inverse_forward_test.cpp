@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forward simulation of a guide by its points: a slot's wall leads the roller far below 1e-6 rad, a wrong wall
-// is found out.
+// Forward simulation of a guide by its points: a slot's wall leads the roller far below 1e-6 rad, a wrong
+// wall is found out.
 #include "studies/inverse/inverse_forward.hpp"
 
 #include "core/errors.hpp"

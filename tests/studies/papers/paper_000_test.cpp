@@ -151,8 +151,9 @@ TEST(Paper000, MotionFollowsThePapersFormulas) {
         for (const std::size_t i : {1U, 2U}) {
             const auto in = [](double metres) { return metres / units::inch; };
             const std::vector<double>&from = pieces[i - 1].to, &to = pieces[i].to, &center = pieces[i].center;
-            const test::ArcGuide arc{in(std::hypot(from[0], from[1])), in(std::hypot(to[0], to[1])), in(center[0]),
-                                     in(center[1]), in(std::hypot(to[0] - center[0], to[1] - center[1]))};
+            const test::ArcGuide arc{in(std::hypot(from[0], from[1])), in(std::hypot(to[0], to[1])),
+                                     in(center[0]), in(center[1]),
+                                     in(std::hypot(to[0] - center[0], to[1] - center[1]))};
             int compared = 0;
             for (double time = stroke->begin(); time < stroke->end(); time += 1e-4) {
                 const FeederState state = stroke->at(time);

@@ -301,15 +301,17 @@ void add_inner_dwell(const Solution& nominal, Points& points, const std::functio
 }
 
 /// Turned on the table, a remote lever's cam about its axis and a guide about the pivot of its body.
-TEST(GivenCam, RegistrationFindsTurnedRemoteCamsAndGuides) {
+TEST(GivenCam, RegistrationFindsTurnedCamsAndGuides) {
     std::mt19937 random(5);
     std::normal_distribution<double> noise(0.0, 5 * um);
     constexpr const char* laws =
         "motion.segments = [{ kind = 'law', law = 'modified_trapezoid', angle_deg = 105, to = 1 }, "
-        "{ kind = 'dwell', angle_deg = 75 }, { kind = 'law', law = 'modified_trapezoid', angle_deg = 105, to = 0 }, "
+        "{ kind = 'dwell', angle_deg = 75 }, { kind = 'law', law = 'modified_trapezoid', angle_deg = 105, to "
+        "= 0 }, "
         "{ kind = 'dwell', angle_deg = 75 }]";
     for (const auto& [scene, turned] :
-         {std::pair(testing_support::scene_named("tappet_75").with(laws, "limits.pressure_angle_deg = 40"), 12.7),
+         {std::pair(testing_support::scene_named("tappet_75").with(laws, "limits.pressure_angle_deg = 40"),
+                    12.7),
           std::pair(testing_support::scene_named("inverse_feeder"), -8.4)}) {
         const Solution nominal = solve_without_explaining(scene, {}, nullptr, {.look = true});
         SCOPED_TRACE(nominal.scene.title);
@@ -323,7 +325,8 @@ TEST(GivenCam, RegistrationFindsTurnedRemoteCamsAndGuides) {
             points.a[i] = c * x - s * y;
             points.b[i] = s * x + c * y;
         }
-        const Scene found = given_scene(nominal, "register = [\"angle\"]\n" + points.toml() + (guide ? "of = \"center\"\n" : ""));
+        const Scene found = given_scene(
+            nominal, "register = [\"angle\"]\n" + points.toml() + (guide ? "of = \"center\"\n" : ""));
         const MeasuredPlace& place = found.measured->place.value();
         EXPECT_TRUE(place.points);
         EXPECT_NEAR(place.angle->value, turned * units::degree, 4.0 * place.angle->error);
@@ -331,14 +334,13 @@ TEST(GivenCam, RegistrationFindsTurnedRemoteCamsAndGuides) {
     }
     const Solution nominal = solved_example("inverse_feeder");
     const Points points = plane_points(nominal, 0, 720, false, [] { return 0.0; });
-    EXPECT_TRUE(says(testing_support::refusal([&] {
-                         (void)given_scene(nominal, "register = [\"radius\"]\n" + points.toml());
-                     }),
+    EXPECT_TRUE(says(testing_support::refusal(
+                         [&] { (void)given_scene(nominal, "register = [\"radius\"]\n" + points.toml()); }),
                      "a guide is turned about its pivot"));
 }
 
 /// A scene made by a program, without a file: rows of its follower.
-TEST(GivenCam, RowsOfAProgramAreItsMotion) {
+TEST(GivenCam, RowsInMemoryAreItsMotion) {
     Scene scene;
     scene.motion.type = MotionType::program;
     scene.motion.lift = 0.01;
@@ -359,7 +361,8 @@ TEST(GivenCam, RowsOfAProgramAreItsMotion) {
     for (int i = 0; i < 100; ++i) {
         const double x = (i + 0.5) / 100.0;
         EXPECT_NEAR(given.motion->at(x).derivative[0], 0.5 * (1.0 - std::cos(units::turn * x)), 1e-8);
-        EXPECT_NEAR(given.motion->at(x).derivative[2], 2.0 * std::numbers::pi * std::numbers::pi * std::cos(units::turn * x), 1e-3);
+        EXPECT_NEAR(given.motion->at(x).derivative[2],
+                    2.0 * std::numbers::pi * std::numbers::pi * std::cos(units::turn * x), 1e-3);
     }
 }
 
