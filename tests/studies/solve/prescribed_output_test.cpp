@@ -192,6 +192,52 @@ TEST(PrescribedOutput, GoesThroughProgramWithDwells) {
     EXPECT_LT(solution.train->residual->value, 1e-9);
 }
 
+/// A load of 2 kg on a belt, a motor of 4e-5 kg m² with 20 mm a turn.
+TestScene axis() {
+    return rise(2.5, 16).with(
+        "objective = { jerk = 0.1, motor_torque_rms = 1, reference = { jerk = 69, motor_torque_rms = 1 } }",
+        "drive = { motor_inertia_kg_m2 = 4e-5, load_mass_kg = 0.3, transmission_mm_per_rev = 20 }",
+        "limits.motor_speed_rpm = 1300");
+}
+
+TEST(PrescribedOutput, MotorMovesLoadThroughItsSpring) {
+    const Solution solution = solve(axis());
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    ASSERT_TRUE(solution.drive && solution.output);
+    EXPECT_LT(residual_of(solution.scene, *solution.motion), 1e-9);
+    const double travel = 0.02 / units::turn, lift = 0.02, pace = 10.0;  // lifts a second
+    double largest = 0.0, fastest = 0.0, square = 0.0;
+    constexpr int places = 20000;
+    for (int k = 0; k <= places; ++k) {
+        const auto y = solution.output->at(static_cast<double>(k) / places).derivative;
+        const auto s = solution.motion->at(static_cast<double>(k) / places).derivative;
+        const double motor = lift * pace * pace * s[2], load = lift * pace * pace * y[2];
+        const double torque = travel * (0.3 * motor + 2.0 * load) + 4e-5 / travel * motor;
+        largest = std::max(largest, std::abs(torque));
+        fastest = std::max(fastest, std::abs(lift * pace * s[1]) / travel);
+        square += torque * torque / places;
+    }
+    EXPECT_NEAR(solution.drive->torque.value, largest, 1e-5 * largest);
+    EXPECT_NEAR(solution.drive->speed.value, fastest, 1e-6 * fastest);
+    const double cycle = units::turn / solution.scene.motion.unit_angle();
+    EXPECT_NEAR(solution.drive->rms_torque, std::sqrt(square / cycle), 1e-4 * solution.drive->rms_torque);
+    EXPECT_LE(fastest, 1300 * units::revolution_per_minute * (1.0 + 1e-7));
+}
+
+TEST(PrescribedOutput, MotorKeepsTorqueOfBoth) {
+    const Solution free = solve(axis());
+    const double most = 0.9 * free.drive.value().torque.value;
+    const Solution held = solve(axis().set("limits.motor_torque_nm", most));
+    ASSERT_TRUE(held.drive);
+    EXPECT_EQ(held.certificate.verdict, Verdict::optimal);
+    EXPECT_NEAR(held.drive->torque.value, most, 1e-7 * most);
+    EXPECT_GT(held.certificate.objective, free.certificate.objective);
+    EXPECT_NE(refusal([&] {
+                  (void)solve(axis().with("drive.friction_n = 3", "motion.monotone = true"));
+              }).find("drive.friction"),
+              std::string::npos);
+}
+
 TEST(PrescribedOutput, RefusesWhatItCannotMean) {
     const TestScene scene = rise(2.0, 16);
     EXPECT_NE(refusal([&] { (void)solve(scene.with("spline.degree = 3")); }).find("5 or 7"),
