@@ -129,12 +129,12 @@ TEST(Inspection, JudgesSlopesOfLiftsAndPoints) {
     Errors errors;
     errors.noise = 0.02 * um;
     const double steepest = errors.bump * std::numbers::pi / errors.bump_width;
-    const double bent = 2.0 * errors.bump * std::numbers::pi * std::numbers::pi / (errors.bump_width * errors.bump_width);
+    const double bent =
+        2.0 * errors.bump * std::numbers::pi * std::numbers::pi / (errors.bump_width * errors.bump_width);
     for (const bool points : {false, true}) {
         const input::InspectedTable table = points ? point_table(errors, 7, 0.0) : lift_table(errors, 7);
         const auto judged = [&](double part) {
-            return inspect_cam(nominal(), table, 0.0,
-                               {100.0 * um, true, {part * steepest, part * bent}});
+            return inspect_cam(nominal(), table, 0.0, {100.0 * um, true, {part * steepest, part * bent}});
         };
         const Inspection wide = judged(1.3), narrow = judged(0.7);
         EXPECT_TRUE(wide.in_tolerance());

@@ -90,7 +90,8 @@ ToleranceSpec ordinary_tolerance(const Scene& scene) {
 }
 
 constexpr int made_cams = 100000, threads = 2;
-constexpr double passed = 1e-8;  // of a limit: figure_rounding of the audit
+constexpr std::size_t most_places = 32;  // those nearest to a limit
+constexpr double passed = 1e-8;          // of a limit: figure_rounding of the audit
 
 /// A profile error: a cubic B-spline over the motion whose coefficients keep it and its derivatives within
 /// the errors everywhere, by x and in lifts.
@@ -145,6 +146,7 @@ class ErrorSpline {
 struct RuleAt {
     std::shared_ptr<const CamRule> rule;
     MotionPoint point;
+    double worst = 0.0;  ///< of the cams at the ends of the tolerances
 
     [[nodiscard]] double value(const std::array<double, 3>& error, const Eigen::VectorXd& parts) const {
         MotionPoint made = point;
@@ -174,6 +176,8 @@ class Trials {
         free.variables.motion_error[1] = 0.0;
         for (const auto& rule : cam_limits(free.scene, free.variables))
             if (rule->highest_order() > 0) add(rule);
+        std::ranges::stable_sort(near_, std::greater(), &RuleAt::worst);
+        if (near_.size() > most_places) near_.resize(most_places);
     }
     [[nodiscard]] std::size_t places() const { return near_.size(); }
 
@@ -216,7 +220,7 @@ class Trials {
         const auto [from, until] = rule->holds_between();
         for (const auto& [x, side] : places) {
             if (x < from || x > until) continue;
-            const RuleAt one{rule, motion_.at(x, side)};
+            RuleAt one{rule, motion_.at(x, side)};
             double least = infinity, most = -infinity;
             for (unsigned ends = 0; ends < (1U << static_cast<unsigned>(3 + numbers_)); ++ends) {
                 const auto end = [&](Eigen::Index k) { return ((ends >> k) & 1) != 0 ? -1.0 : 1.0; };
@@ -228,6 +232,7 @@ class Trials {
                 most = std::max(most, value);
             }
             // A made cam between the ends may exceed them by little.
+            one.worst = most;
             if (most > -0.1 * (most - least)) near_.push_back(one);
         }
     }

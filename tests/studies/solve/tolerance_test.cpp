@@ -98,9 +98,9 @@ TEST(Tolerances, WithoutTableNothingIsEvaluated) {
 
 /// The nose of a cam bends most where the made cam's slope is 0: between the ends of its slope error.
 TEST(Tolerances, HoldBetweenTheirEnds) {
-    const TestScene scene = scene_named("cam_roller").with(
-        "tolerance.profile_um = 20", "tolerance.slope_um_deg = 20", "tolerance.acceleration_um_deg2 = 1",
-        "limits.cam_radius_min_mm = 9.5");
+    const TestScene scene = scene_named("cam_roller")
+                                .with("tolerance.profile_um = 20", "tolerance.slope_um_deg = 20",
+                                      "tolerance.acceleration_um_deg2 = 1", "limits.cam_radius_min_mm = 9.5");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion);
     ASSERT_TRUE(solution.scene.tolerance);
