@@ -131,16 +131,13 @@ ExitCode inspect_command(const InspectRequest& request) {
         throw InputError(
             "--tolerance-um: found a length for deviations that are angles; allowed: with points of the cam, "
             "or with displacements that are lengths");
-    std::optional<double> tolerance = request.tolerance_um;
-    if (tolerance) *tolerance *= unit_named<"um">.factor;
-    // The error of the follower's displacement that the scene was solved for.
-    if (!tolerance && nominal.scene.tolerance && !table.points)
-        tolerance = nominal.scene.tolerance->motion[0];
+    InspectionTolerance tolerance = inspection_tolerance(nominal.scene);
+    if (request.tolerance_um) tolerance = {*request.tolerance_um * unit_named<"um">.factor};
     const Inspection found =
         inspect_cam(nominal, table, request.probe_radius_mm * units::millimetre, tolerance);
     write_and_print(inspection_document(found, fmt::format("{} compared with {}", table.file, request.scene)),
                     request, {"inspection.html", "inspection.json"}, {{}, request.command});
-    return found.out.empty() ? success : failure;
+    return found.in_tolerance() ? success : failure;
 }
 
 /// Intake and exhaust lobe of one crankshaft, each a scene, which is solved, or a result folder, which is

@@ -22,6 +22,14 @@ struct NumberTolerance {
     friend bool operator==(const NumberTolerance&, const NumberTolerance&) = default;
 };
 
+/// One cam within the tolerances, in parts of them from −1 to 1.
+struct MadeParts {
+    std::array<double, 3> motion = {};  ///< of the errors of s, s', s''
+    std::vector<double> numbers = {};   ///< of ToleranceSpec::numbers, in their order
+
+    friend bool operator==(const MadeParts&, const MadeParts&) = default;
+};
+
 struct ToleranceSpec {
     /// |δ|, |δ'|, |δ''|; none: 0 of δ and δ', not bounded of δ'' (limits on s'' and curvature then leave
     /// it out, and say so).
@@ -29,6 +37,9 @@ struct ToleranceSpec {
     /// By the name under which a scene writes a dimension of the cam ("base_radius", CamSpec::written_as) or
     /// a number of the spring ("preload", "spring_rate").
     std::map<std::string, NumberTolerance> numbers = {};
+    /// Cams between the ends of the tolerances that limits are held for, too: the solve finds those that
+    /// would pass one (objectives/rules/between_ends.hpp).
+    std::vector<MadeParts> between = {};
 
     [[nodiscard]] double of_motion(std::size_t order) const {
         return order < motion.size() ? motion[order].value_or(0.0) : 0.0;

@@ -72,7 +72,7 @@ std::optional<RangeAlong> CamRule::range_along(const Interval& x, const std::arr
     return formula_.along({*cam_->cam.formulas, state});
 }
 
-std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, double at) const {
+std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, const Interval& at) const {
     if (!formula_.over || box.size() > RangeOver::most) return {};
     ++*cam_->profile_points;
     const std::array<double, 3> unit = units();
@@ -81,8 +81,7 @@ std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, doub
         return moved(RangeOver::variable(box[place], order, unit[place]), cam_->motion_error[place]);
     };
     MechanismStateOver state{std::vector<RangeOver>(cam_->cam.dimensions.begin(), cam_->cam.dimensions.end()),
-                             motion(0), motion(1), motion(2),
-                             Interval(cam_->scale.unit_angle) * Interval(at)};
+                             motion(0), motion(1), motion(2), Interval(cam_->scale.unit_angle) * at};
     for (std::size_t k = 0; k < active_.size(); ++k)
         state.dimensions[active_[k]] =
             moved(RangeOver::variable(box[4 + k], 4 + static_cast<int>(k), cam_->variables[k].reference),

@@ -165,7 +165,7 @@ class CamRule final : public PointRule {
                                                         const std::array<Interval, 5>& derivatives,
                                                         const Eigen::VectorXd& q) const override;
     [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
-                                                      double at) const override;
+                                                      const Interval& at) const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:

@@ -41,7 +41,7 @@ std::vector<TolerantNumber> tolerant_numbers(const Scene& scene, const CamVariab
     return all;
 }
 
-/// One choice of ends: bit k of `ends` is 1 where number k is at its lower end.
+/// A scene and its cam with other numbers.
 struct MadeCam {
     Scene scene;
     CamVariables variables;
@@ -58,40 +58,52 @@ void move_number(MadeCam& made, const TolerantNumber& number, double error) {
         made.variables.cam.dimensions[static_cast<std::size_t>(number.dimension)] += error;
 }
 
-char sign_of(bool lower) {
-    return lower ? '-' : '+';
+constexpr std::string_view made_mark = "made ";
+
+/// "base_radius-" at the lower end, "base_radius+0.25" between them.
+std::string word_of(std::string_view name, double part) {
+    if (std::abs(part) == 1.0) return fmt::format("{}{}", name, part < 0.0 ? '-' : '+');
+    return fmt::format("{}{:+}", name, part);
 }
 
-MadeCam with_ends(const Scene& scene, const CamVariables& variables, std::span<const TolerantNumber> numbers,
-                  unsigned ends) {
+MadeCam with_numbers(const Scene& scene, const CamVariables& variables,
+                     std::span<const TolerantNumber> numbers, std::span<const double> parts) {
     MadeCam made{scene, variables};
     made.scene.tolerance.reset();
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const bool lower = ((ends >> k) & 1U) != 0U;
-        move_number(made, numbers[k], lower ? -numbers[k].half_width : numbers[k].half_width);
-        append_item(made.variables.made, fmt::format("{}{}", numbers[k].name, sign_of(lower)));
+        move_number(made, numbers[k], parts[k] * numbers[k].half_width);
+        append_item(made.variables.made, word_of(numbers[k].name, parts[k]));
     }
     return made;
 }
 
-constexpr std::string_view made_mark = "made ";
-constexpr std::array derivative_marks = {"s", "s'", "s''"};
-
-/// Bit r of `ends` is 1 where the r-th derivative has its error to the lower side. Returns whether every bit
-/// that is set belongs to an error.
-bool move_motion(CamVariables& variables, const ToleranceSpec& tolerance, unsigned ends) {
+CamVariables with_motion(CamVariables variables, const ToleranceSpec& tolerance,
+                         const std::array<double, 3>& parts) {
     std::string moved;
-    for (std::size_t order = 0; order < derivative_marks.size(); ++order) {
+    for (std::size_t order = 0; order < made_cam_marks.size(); ++order) {
         const double error = tolerance.of_motion(order);
-        const bool lower = ((ends >> order) & 1U) != 0U;
-        if (error == 0.0 && lower) return false;
         if (error == 0.0) continue;
-        variables.motion_error[order] = lower ? -error : error;
-        append_item(moved, fmt::format("{}{}", derivative_marks[order], sign_of(lower)), " ");
+        variables.motion_error[order] = parts[order] * error;
+        append_item(moved, word_of(made_cam_marks[order], parts[order]), " ");
     }
     if (!variables.made.empty()) append_item(moved, variables.made);
     variables.made = moved.empty() ? moved : std::string(made_mark) + moved;
-    return true;
+    return variables;
+}
+
+/// Bit k of `ends` is 1 at the lower end.
+double end_of(unsigned ends, std::size_t k) {
+    return ((ends >> k) & 1U) != 0U ? -1.0 : 1.0;
+}
+
+/// Of the motion; none: `ends` has a lower end of an error that is 0.
+std::optional<std::array<double, 3>> motion_ends(const ToleranceSpec& tolerance, unsigned ends) {
+    std::array<double, 3> parts{};
+    for (std::size_t order = 0; order < parts.size(); ++order) {
+        parts[order] = end_of(ends, order);
+        if (tolerance.of_motion(order) == 0.0 && parts[order] < 0.0) return std::nullopt;
+    }
+    return parts;
 }
 
 /// One rule for all cams within the tolerances, by the cams that it is different for.
@@ -155,16 +167,47 @@ std::string made_cam_of(const CamRule& rule) {
     return begin == std::string::npos ? std::string() : remark.substr(begin);
 }
 
+void visit_made_cam(const Scene& scene, const CamVariables& variables, const MadeParts& parts,
+                    const MadeCamVisit& visit) {
+    const MadeCam made = with_numbers(scene, variables, tolerant_numbers(scene, variables), parts.numbers);
+    visit(made.scene, with_motion(made.variables, *scene.tolerance, parts.motion));
+}
+
 void visit_made_cams(const Scene& scene, const CamVariables& variables, const MadeCamVisit& visit) {
     const ToleranceSpec& tolerance = *scene.tolerance;
     const std::vector<TolerantNumber> numbers = tolerant_numbers(scene, variables);
     for (unsigned ends = 0; ends < (1U << numbers.size()); ++ends) {
-        const MadeCam made = with_ends(scene, variables, numbers, ends);
-        for (unsigned motion = 0; motion < (1U << derivative_marks.size()); ++motion) {
-            CamVariables own = made.variables;
-            if (move_motion(own, tolerance, motion)) visit(made.scene, own);
-        }
+        std::vector<double> parts;
+        for (std::size_t k = 0; k < numbers.size(); ++k) parts.push_back(end_of(ends, k));
+        const MadeCam made = with_numbers(scene, variables, numbers, parts);
+        for (unsigned motion = 0; motion < (1U << made_cam_marks.size()); ++motion)
+            if (const auto own = motion_ends(tolerance, motion))
+                visit(made.scene, with_motion(made.variables, tolerance, *own));
     }
+    for (const MadeParts& parts : tolerance.between) visit_made_cam(scene, variables, parts, visit);
+}
+
+FreeCam with_free_numbers(const Scene& scene, const CamVariables& drawn) {
+    FreeCam free{scene, drawn, {}};
+    free.scene.tolerance.reset();
+    const std::vector<TolerantNumber> numbers = tolerant_numbers(scene, drawn);
+    std::vector<double>& dimensions = free.variables.cam.dimensions;
+    const auto add = [&](std::size_t k, int dimension) {
+        free.variables.variables.push_back({dimension, static_cast<int>(free.places.size()),
+                                            numbers[k].half_width,
+                                            dimensions[static_cast<std::size_t>(dimension)]});
+        free.places.push_back(k);
+    };
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        if (numbers[k].spring == nullptr) add(k, numbers[k].dimension);
+    for (std::size_t s = 0; s < spring_numbers.size(); ++s)
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            if (numbers[k].spring == nullptr || numbers[k].spring != spring_numbers[s].number) continue;
+            free.variables.spring[s] = static_cast<int>(dimensions.size());
+            dimensions.push_back((*scene.forces).*numbers[k].spring);
+            add(k, free.variables.spring[s]);
+        }
+    return free;
 }
 
 std::vector<std::shared_ptr<const CamRule>> limits_of_made_cams(const Scene& scene,

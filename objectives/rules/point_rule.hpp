@@ -87,11 +87,11 @@ class PointRule {
         const Eigen::VectorXd& /*q*/) const {
         return {};
     }
-    /// Over a box of (y, y', y'', y''', q_1 … q_m) at x = `at`: enclosures of the rule times a positive
-    /// factor, with its partials. The rule chooses a factor that reduces curvature. Returns nullopt if no
-    /// enclosure is implemented; bounds then omit the rule.
+    /// Over a box of (y, y', y'', y''', q_1 … q_m), for every x in `at`: enclosures of the rule times a
+    /// positive factor, with its partials. The rule chooses a factor that reduces curvature. Returns nullopt
+    /// if no enclosure is implemented; bounds then omit the rule.
     [[nodiscard]] virtual std::optional<RangeOver> range_over(std::span<const Interval> /*box*/,
-                                                              double /*at*/) const {
+                                                              const Interval& /*at*/) const {
         return {};
     }
     [[nodiscard]] virtual RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const = 0;

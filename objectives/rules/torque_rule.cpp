@@ -32,7 +32,7 @@ Eigen::VectorXd TorqueRule::along(const std::array<Eigen::VectorXd, 4>& derivati
     return polynomial;
 }
 
-std::optional<RangeOver> TorqueRule::range_over(std::span<const Interval> box, double) const {
+std::optional<RangeOver> TorqueRule::range_over(std::span<const Interval> box, const Interval&) const {
     const RangeOver velocity = RangeOver::variable(box[1], 1), acceleration = RangeOver::variable(box[2], 2);
     const RangeOver factor = Interval(sign_) / Interval(reference_);
     return factor * (velocity * acceleration) - RangeOver::variable(box[4], 4);

@@ -18,7 +18,7 @@ class TorqueRule final : public PointRule {
     [[nodiscard]] Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
                                         const Eigen::VectorXd& q) const override;
     [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
-                                                      double at) const override;
+                                                      const Interval& at) const override;
 
  private:
     int sign_;

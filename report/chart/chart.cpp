@@ -37,6 +37,7 @@ std::string chart_style() {
     std::string style =
         "path{fill:none}"  // of a line with more than two points; marks name their fill
         ".optimum{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
+        ".made{fill:#0072b2;fill-opacity:.16;stroke:#0072b2;stroke-opacity:.4;stroke-width:.8}"
         ".row-line{fill:none;stroke:#0072b2;stroke-width:1.6}"
         ".reference{fill:none;stroke:#6b6b6b;stroke-width:1.5;stroke-dasharray:6 4}"
         ".measured{fill:none;stroke:#009e73;stroke-width:1.5;stroke-dasharray:2 2.5}"

@@ -27,6 +27,9 @@ PlotAxis value_axis(const Curve& curve) {
     for (const auto* other : {&curve.reference, &curve.measured})
         if (*other)
             for (const double value : (*other)->values) range.add(value);
+    if (curve.band)
+        for (const auto* edge : {&curve.band->low, &curve.band->high})
+            for (const double value : *edge) range.add(value);
     const double size = std::max(range.upper, -range.lower);
     const bool falls = range.lower<-below_zero * size, rises = range.upper> below_zero * size;
     for (const CurveLimit& limit : curve.limits)
@@ -101,6 +104,26 @@ void add_bounds(ChartPanel& panel, const CurveSet& set, bool first) {
     panel.series.push_back(std::move(ticks));
 }
 
+/// A closed line around each stretch that has values.
+void add_band(ChartPanel& panel, const CurveSet& set, const CurveBand& band, std::size_t rows) {
+    ChartSeries around{Look::line, "made", {}, 4.0, "made cams"};
+    std::size_t begin = 0;
+    const auto close = [&](std::size_t end) {
+        if (end - begin > 1) {
+            for (std::size_t i = begin; i < end; ++i) around.points.push_back({set.angles[i], band.high[i]});
+            for (std::size_t i = end; i > begin; --i)
+                around.points.push_back({set.angles[i - 1], band.low[i - 1]});
+            around.points.push_back(around.points.front());
+            panel.series.push_back(around);
+        }
+        around.points.clear();
+        begin = end + 1;
+    };
+    for (std::size_t i = 0; i < rows; ++i)
+        if (!std::isfinite(band.low[i]) || !std::isfinite(band.high[i])) close(i);
+    close(rows);
+}
+
 ChartPanel panel_of(const CurveSet& set, const Curve& curve, std::size_t rows, bool first,
                     const std::string& line_title = "this motion") {
     ChartPanel panel;
@@ -119,6 +142,7 @@ ChartPanel panel_of(const CurveSet& set, const Curve& curve, std::size_t rows, b
         for (std::size_t i = 0; i < rows; ++i) line.points.push_back({set.angles[i], values[i]});
         panel.series.push_back(std::move(line));
     };
+    if (curve.band) add_band(panel, set, *curve.band, rows);
     if (curve.measured) add_line(curve.measured->values, "measured", curve.measured->title);
     if (curve.reference) add_line(curve.reference->values, "reference", curve.reference->title);
     ChartSeries table{Look::dot, "measured-point", {}, 1.4, "rows of the table"};

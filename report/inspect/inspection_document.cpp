@@ -11,15 +11,27 @@ using Kind = Sentence::Kind;
 
 struct Units {
     ShownUnit deviation, follower, given;
+    std::array<ShownUnit, 2> derivatives;  ///< of the follower's error
 
     explicit Units(const Inspection& found) {
         follower = found.is_angle ? unit_named<"mdeg"> : unit_named<"um">;
         deviation = found.points ? unit_named<"um"> : follower;
         given = found.is_angle && !found.points ? unit_named<"deg"> : unit_named<"mm">;
+        if (found.is_angle)
+            derivatives = {unit_named<"mdeg/deg">, unit_named<"mdeg/deg^2">};
+        else
+            derivatives = {unit_named<"um/deg">, unit_named<"um/deg^2">};
     }
 };
 
 constexpr int table_digits = 5, sentence_digits = 4;
+
+constexpr std::array derivative_names = {"slope", "acceleration"};
+
+/// ± of the tolerance.
+const ShownUnit& judged_unit(const Inspection& found, const Units& units) {
+    return found.of_follower ? units.follower : units.deviation;
+}
 
 /// Those rows of the table that `chosen` takes.
 Table row_table(const Units& units, const std::vector<InspectedRow>& rows,
@@ -96,13 +108,57 @@ Table deviation_table(const Inspection& found, const ShownUnit& unit) {
     return table;
 }
 
-Table outside_table(const Inspection& found, const ShownUnit& unit) {
-    Table table{"out_of_tolerance",
-                "Out of tolerance",
+Table outside_table(std::string key, std::string title, const std::vector<std::array<double, 3>>& out,
+                    const ShownUnit& unit) {
+    Table table{std::move(key),
+                std::move(title),
                 {{"from", {}, degrees_shown}, {"to", {}, degrees_shown}, {"worst", {}, unit}}};
-    for (const auto& [from, to, worst] : found.out)
+    for (const auto& [from, to, worst] : out)
         table.rows.push_back({{from, table_digits}, {to, table_digits}, {worst, table_digits}});
     return table;
+}
+
+std::vector<Table> outside_tables(const Inspection& found, const Units& units) {
+    std::vector<Table> all = {
+        outside_table("out_of_tolerance", "Out of tolerance", found.out, judged_unit(found, units))};
+    for (const ErrorDerivative& one : found.derivatives) {
+        const auto k = static_cast<std::size_t>(one.order - 1);
+        all.push_back(
+            outside_table(fmt::format("{}_out_of_tolerance", derivative_names[k]),
+                          fmt::format("Out of tolerance: {} of the follower's error", derivative_names[k]),
+                          one.out, units.derivatives[k]));
+    }
+    return all;
+}
+
+/// Every row, with the derivatives of the follower's error that have a tolerance.
+Table all_rows(const Inspection& found, const Units& units) {
+    Table table = row_table(units, found.rows, [](const InspectedRow&) { return true; });
+    for (const ErrorDerivative& one : found.derivatives) {
+        const auto k = static_cast<std::size_t>(one.order - 1);
+        table.columns.push_back({derivative_names[k], {}, units.derivatives[k]});
+        for (std::size_t i = 0; i < found.rows.size(); ++i)
+            table.rows[i].push_back(std::isnan(one.values[i]) ? Cell() : Cell(one.values[i], table_digits));
+    }
+    return named(std::move(table), "rows", {}, "inspection.csv");
+}
+
+void add_derivative_sentences(Section& section, const Inspection& found, const Units& units) {
+    for (const ErrorDerivative& one : found.derivatives) {
+        const auto k = static_cast<std::size_t>(one.order - 1);
+        const ShownUnit& unit = units.derivatives[k];
+        section.sentences.push_back(
+            {Kind::verdict, derivative_names[k],
+             fmt::format("{} of the follower's error: {} ± {}; largest {} at {} (standard error {}).",
+                         k == 0 ? "Slope" : "Second derivative",
+                         one.out.empty() ? "in tolerance," : "OUT OF TOLERANCE,",
+                         unit.text(one.tolerance, sentence_digits), unit.text(one.worst, sentence_digits),
+                         degrees_shown.text(one.worst_at, sentence_digits), unit.text(one.worst_error, 2))});
+        section.figures.push_back(
+            {{fmt::format("{}_tolerance", derivative_names[k]), {}, unit}, Cell(one.tolerance)});
+        section.figures.push_back(
+            {{fmt::format("{}_worst", derivative_names[k]), {}, unit}, Cell(one.worst)});
+    }
 }
 
 Curves deviation_curves(const Inspection& found, const ShownUnit& unit) {
@@ -124,7 +180,7 @@ Curves deviation_curves(const Inspection& found, const ShownUnit& unit) {
         on_base = row.base;
     }
     for (const int side : {-1, 1})
-        if (found.tolerance)
+        if (found.tolerance && (!found.of_follower || !found.points))
             curve.limits.push_back({curves.angles.front(), curves.angles.back(),
                                     side * unit.of(*found.tolerance), side, "tolerance"});
     curves.curves = {std::move(curve)};
@@ -136,7 +192,7 @@ Curves deviation_curves(const Inspection& found, const ShownUnit& unit) {
 Document inspection_document(const Inspection& found, const std::string& title) {
     const Units units(found);
     const ShownUnit& unit = units.deviation;
-    const bool in_tolerance = found.out.empty();
+    const bool in_tolerance = found.in_tolerance();
     Document document{title, in_tolerance ? "good" : "bad"};
     Section& section = document.sections.emplace_back();
     section.sentences = {
@@ -147,21 +203,26 @@ Document inspection_document(const Inspection& found, const std::string& title) 
     if (found.tolerance)
         section.sentences.push_back(
             {Kind::verdict, "tolerance",
-             fmt::format("{} ± {}.", in_tolerance ? "In tolerance:" : "OUT OF TOLERANCE:",
-                         unit.text(*found.tolerance, sentence_digits))});
-    section.figures = {{{"points"}, flag(found.points)},
-                       {{"tolerance", {}, unit}, Cell(found.tolerance)},
-                       {{"in_tolerance"}, flag(found.tolerance ? std::optional(in_tolerance) : std::nullopt)},
-                       {{"noise", {}, unit}, Cell(found.noise)}};
+             fmt::format("{} ± {}{}.", found.out.empty() ? "In tolerance:" : "OUT OF TOLERANCE:",
+                         judged_unit(found, units).text(*found.tolerance, sentence_digits),
+                         found.of_follower && found.points ? " of the follower's displacement" : "")});
+    section.figures = {
+        {{"points"}, flag(found.points)},
+        {{"tolerance", {}, judged_unit(found, units)}, Cell(found.tolerance)},
+        {{"in_tolerance"},
+         flag(found.tolerance || !found.derivatives.empty() ? std::optional(in_tolerance) : std::nullopt)},
+        {{"noise", {}, unit}, Cell(found.noise)}};
+    add_derivative_sentences(section, found, units);
     section.curves = deviation_curves(found, unit);
     const auto all = [](const InspectedRow&) { return true; };
-    section.tables = {alignment_table(found, unit),
-                      deviation_table(found, unit),
+    section.tables = {alignment_table(found, unit), deviation_table(found, unit),
                       named(row_table(units, found.worst, all), "worst", "Worst locations"),
-                      outside_table(found, unit),
                       named(row_table(units, found.rows, [](const InspectedRow& row) { return row.outlier; }),
                             "outliers", "Outliers"),
-                      named(row_table(units, found.rows, all), "rows", {}, "inspection.csv")};
+                      all_rows(found, units)};
+    std::vector<Table> outside = outside_tables(found, units);
+    section.tables.insert(section.tables.begin() + 3, std::move_iterator(outside.begin()),
+                          std::move_iterator(outside.end()));
     return document;
 }
 

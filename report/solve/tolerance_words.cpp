@@ -2,8 +2,11 @@
 #include "report/solve/tolerance_words.hpp"
 
 #include "core/text/list_text.hpp"
+#include "core/text/printable.hpp"
 #include "core/text/quantity_text.hpp"
+#include "report/view/cam_words.hpp"
 #include "report/view/key_words.hpp"
+#include "report/view/number_text.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +50,55 @@ std::vector<std::string> deciding_sentences(const ToleranceReport& report) {
                                   words_of_tolerance(tolerance)));
     }
     return all;
+}
+
+/// Which cam, from its name in rows: "the slope error at its upper end and the tolerance of the base radius
+/// at its lower end".
+std::string words_of_cam(const std::string& cam) {
+    constexpr std::array motions = {std::pair{"s''", "acceleration"}, std::pair{"s'", "slope"},
+                                    std::pair{"s", "profile"}};
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin < cam.size();) {
+        const std::size_t end = std::min(cam.find_first_of(" ,", begin), cam.size());
+        const std::size_t sign = cam.find_first_of("+-", begin);
+        if (sign >= end) break;
+        const std::string word = cam.substr(begin, sign - begin), size = cam.substr(sign + 1, end - sign - 1);
+        const auto motion = std::ranges::find(motions, word, [](const auto& one) { return one.first; });
+        const std::string name = motion != motions.end() ? std::string("the ") + motion->second + " error"
+                                                         : words_of_tolerance("tolerance." + word);
+        parts.push_back(fmt::format("{} at {}", name,
+                                    size.empty() ? (cam[sign] == '+' ? "its upper end" : "its lower end")
+                                                 : fmt::format("{}{} of it", cam[sign], size)));
+        begin = std::min(cam.find_first_not_of(" ,", end), cam.size());
+    }
+    return listed(parts, " and ");
+}
+
+/// Of each limit the worst made cam: what it reaches, where, and which cam it is.
+std::vector<std::string> worst_sentences(const Solution& solution) {
+    std::vector<std::string> all;
+    for (const ConstraintReport& row : solution.constraints) {
+        if (!row.made || row.made_cam.empty()) continue;
+        all.push_back(
+            fmt::format("Worst case of the {}: {} at {} deg, with {}.", key_words(row.key).subject(),
+                        short_text(*row.made) + (row.unit.empty() ? "" : " " + unit_words(row.unit)),
+                        degrees_at(solution, row.made_at), words_of_cam(row.made_cam)));
+    }
+    return all;
+}
+
+/// Limits whose worst case between the ends of the tolerances is not enclosed.
+std::string at_ends_sentence(const Solution& solution) {
+    std::vector<std::string> names;
+    if (solution.cam)
+        for (const EnclosedLimit& one : solution.cam->limits_along)
+            if (const std::string name = key_words(one.key).words;
+                one.between && !one.complete && std::ranges::find(names, name) == names.end())
+                names.push_back(name);
+    if (names.empty()) return {};
+    return fmt::format(
+        "The limit{} on {} hold{} at the ends of the tolerances: what lies between them is not enclosed.",
+        names.size() > 1 ? "s" : "", listed(names, " and "), names.size() > 1 ? "" : "s");
 }
 
 std::string halved_sentence(const ToleranceReport& report) {
@@ -103,9 +155,11 @@ std::vector<std::string> tolerance_sentences(const Solution& solution) {
     };
     if (report.price) add(price_sentence(solution));
     for (std::string& one : deciding_sentences(report)) add(std::move(one));
+    for (std::string& one : worst_sentences(solution)) add(std::move(one));
     add(halved_sentence(report));
     if (report.segments_worth) add(segments_sentence(solution));
     add(left_out_sentence(solution.scene));
+    add(at_ends_sentence(solution));
     if (!report.open.empty())
         add(fmt::format("Not computed in the time there was: {}.", listed(report.open, " and ")));
     return all;

@@ -18,6 +18,7 @@ View::View(const Solution& shown)
     };
     if (solution.drive) add(drive_curves(*this));
     if (solution.cam) add(cam_curves(*this));
+    if (solution.scene.tolerance) add_made_bands(*this);
 }
 
 std::string segment_title(const SegmentReport& segment) {

@@ -36,6 +36,11 @@ struct ComparedCurve {
     std::vector<double> values;  ///< NaN outside of that motion
 };
 
+/// Where made cams are, at the same rows.
+struct CurveBand {
+    std::vector<double> low, high;  ///< NaN: no value there
+};
+
 /// One quantity by the rows of View::delivered.
 struct Curve {
     std::string key;    ///< "velocity", "pressure_angle"
@@ -50,7 +55,8 @@ struct Curve {
     std::vector<CurveLimit> limits = {};
     std::vector<CurveMark> marks = {};
     std::vector<std::array<double, 2>> points =
-        {};                 ///< deg and value: rows of the measured table, some thousand
+        {};                              ///< deg and value: rows of the measured table, some thousand
+    std::optional<CurveBand> band = {};  ///< within the tolerances of the scene
     std::string note = {};  ///< how it compares: "V = 1.5 · modified sine V = 1.76 · change −15 %"
 };
 
@@ -104,6 +110,8 @@ inline constexpr int curve_mark_digits = 6;  ///< of the texts of marks, as in t
 [[nodiscard]] std::vector<Curve> drive_curves(const View& view);
 /// Pressure angle, curvature or regularity, loads: what this cam has.
 [[nodiscard]] std::vector<Curve> cam_curves(const View& view);
+/// The bands of those curves. The scene has tolerances.
+void add_made_bands(View& view);
 
 // Where the limits of a scene stand in diagrams over the cam angle.
 

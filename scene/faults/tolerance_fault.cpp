@@ -32,6 +32,18 @@ Fault foreign_unit(const Scene& scene) {
     return std::nullopt;
 }
 
+/// Forces where the lift is a length, moments where it is an angle.
+Fault foreign_load(const Scene& scene) {
+    const std::array loads = {KeyNames{"preload", spellings::force_or_moment},
+                              KeyNames{"spring_rate", spellings::spring_rate}};
+    for (const KeyNames& names : loads) {
+        const std::string member = fmt::format("tolerance.{}", names.name);
+        if (Fault fault = unit_fault(member, scene.spelling_of(member, {}).unit, scene.motion, {&names, 1}))
+            return fault;
+    }
+    return std::nullopt;
+}
+
 /// A number that neither the cam nor its spring has.
 Fault foreign_number(const Scene& scene) {
     std::vector<std::string> known;
@@ -57,6 +69,7 @@ Fault tolerance_fault(const Scene& scene) {
         return SceneFault{"tolerance", "tolerances without a cam", "only together with a [cam] table"};
     if (Fault fault = foreign_unit(scene)) return fault;
     if (Fault fault = foreign_number(scene)) return fault;
+    if (Fault fault = foreign_load(scene)) return fault;
     if (const std::size_t count = scene.tolerance->numbers.size(); count > most_tolerant_numbers)
         return SceneFault{
             "tolerance", fmt::format("{} numbers", count),

@@ -81,7 +81,12 @@ class Cam:
     def made(self, corner, sizes, room):
         """The rules of a cam with these numbers at a choice of the ends of its tolerances."""
         if not self.direct:
-            raise Unverified(f"tolerances of a {self.kind} cam")
+            searched = {name: size for name, size in self.rules.searched.items() if name not in sizes}
+            if foreign := self.tolerances.searched_under_other_names(self.scene, self.rules.searched):
+                raise Unverified(f"the tolerance of {foreign}, which is searched")
+            found = {name: size + corner.numbers.get(name, Fraction(0)) for name, size in sizes.items()}
+            own = OTHER_RULES[self.kind](self.problem, self.tolerances.scene_of(self.scene, corner), room, found)
+            return MadeRules(own, corner, searched)
         for name in ("forces.preload", "forces.spring_rate"):
             if name in corner.numbers and name not in sizes:
                 sizes = sizes | {name: self.forces.preload if name.endswith("preload") else self.forces.rate}
@@ -364,7 +369,7 @@ class Cam:
         if self.rules is None:
             return []
         remark, corner = self.tolerances.named(words[3])
-        rules = self.rules if corner is None else self.made(corner, self.given, Fraction(0))
+        rules = self.rules if corner is None else self.made(corner, self.given if self.direct else {}, Fraction(0))
         words = (*words[:3], remark)
         if self.forces and not self.forces.is_constant():
             if self.form != "open":

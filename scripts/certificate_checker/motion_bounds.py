@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Linear rules on the motion itself: limits of one side, corridors, and the lost area."""
 
+import itertools
+
 from . import enclosures
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
 from .laws import constant, jumps, mean_of, parts_along, turns_back
@@ -51,7 +53,23 @@ def motion_bounds(problem):
     errors = [*Tolerances(problem, problem.scene).motion, Fraction(0)]
     for bound in all_bounds:
         bound.most -= errors[bound.order]
-    return all_bounds
+    return all_bounds + made_caps(problem, errors, whole, kind)
+
+
+def made_caps(problem, errors, whole, kind):
+    """Normalised limits of a program with tolerances: a made cam is off by as much on every stretch."""
+    found = []
+    for name, order in ORDERS.items():
+        key = problem.derivative_of(problem.limits, name)[0]
+        if problem.type != "program" or key != name or isinstance(problem.limits[key], dict) or not errors[order]:
+            continue
+        for stretch, sign in itertools.product([s for s in problem.stretches if s.kind == kind], (1, -1)):
+            most = number(problem.limits[key]) * stretch.scale(order)
+            bound = MotionBound(f"limits.{key}", order, sign, sign * most, *whole, stretch)
+            bound.most -= errors[order]
+            bound.scale = bound.most if bound.most > 0 else most
+            found.append(bound)
+    return found
 
 
 def keep_bounds(problem, curve, relaxed):

@@ -2,8 +2,8 @@
 """Tolerances: every limit holds for all cams within them.
 
 A made cam moves its follower by y + e_0 with slopes y' + e_1, y'' + e_2, |e_r| <= E_r in lifts by x^r, and its numbers lie within half a
-width of those of the scene. A row at any choice of ends is a row of the scene, since the scene demands all of them; the delivered motion
-is held against every choice of ends."""
+width of those of the scene. A row at any cam within them is a row of the scene, since the scene demands all of them; the delivered motion
+is held against every choice of ends. What lies between the ends is not looked at along it: camopt encloses that (between_ends.hpp)."""
 import itertools
 import re
 
@@ -11,18 +11,27 @@ from .dimensions import largest_of
 from .exact import Unverified, number
 from .laws import constant
 from .rational import Fraction
-from .units import LENGTHS, dimension_of, in_unit
+from .units import LENGTHS, angle_of, dimension_of, in_unit
 
 NAMES = "profile", "slope", "acceleration"
 MARKS = "s", "s'", "s''"
 SMALL = {"um": Fraction(1, 10**6), "mdeg": Fraction(1, 1000)}
 
 
+TABLES = "cam", "linkage"
+
+
 class Corner:
-    """One choice of ends. motion: errors of y, y', y''; numbers: {name: error in m, N, …}."""
+    """One choice of ends, or of what lies between them. motion: errors of y, y', y''; numbers: {name: error in m, rad, N, N/m}."""
 
     def __init__(self, motion, numbers):
         self.motion, self.numbers = motion, numbers
+
+
+def place_of(scene, name):
+    """(table, key) under which a number of the cam is written; None: it is not."""
+    return next(((table, f"{name}_{unit}") for table in TABLES for unit in (*LENGTHS, "deg", "rad")
+                 if f"{name}_{unit}" in scene.get(table, {})), None)
 
 
 class Tolerances:
@@ -31,18 +40,17 @@ class Tolerances:
         self.given = bool(table)
         self.motion = [self.error(problem, table, order) for order in range(3)] if table else [Fraction(0)] * 3
         self.numbers = {}
-        cam, forces = scene.get("cam", {}), scene.get("forces", {})
+        forces = scene.get("forces", {})
         for key in table:
             if key.startswith(NAMES):
                 continue
-            name = key.removesuffix("_percent") if key.endswith("_percent") else re.sub(r"_(mm|in|m|n|n_m)$", "", key)
+            name = key.removesuffix("_percent") if key.endswith("_percent") else re.sub(r"_(mm|in|m|deg|rad|n|n_m)$", "", key)
             if name in ("preload", "spring_rate"):
                 own, size = self.of_spring(name, key, table, forces)
-            elif key == f"{name}_deg" or key == f"{name}_rad":
-                raise Unverified(f"tolerance.{key}")
             else:
-                own, size = name, dimension_of(table, name)
-                if name != "offset" and not any(own_key.startswith(name + "_") for own_key in cam):
+                angle = angle_of(table, name)
+                own, size = name, in_unit(angle, "rad") if angle else dimension_of(table, name)
+                if name != "offset" and place_of(scene, name) is None:
                     raise Unverified(f"tolerance.{key} of a number at its default")
             self.numbers[own] = size
 
@@ -71,6 +79,30 @@ class Tolerances:
             value *= in_unit(problem.unit_angle, angle[0].rstrip("23"))**order
         return value / problem.lift[0]
 
+    def searched_under_other_names(self, scene, searched):
+        """A number with a tolerance that is a range, and that the rules do not know by its name; None: there is none."""
+        places = {name: place_of(scene, name) for name in self.numbers}
+        return next((name for name, place in places.items()
+                     if place and isinstance(scene[place[0]][place[1]], dict) and name not in searched), None)
+
+    @staticmethod
+    def scene_of(scene, corner):
+        """The scene of that cam; numbers that are searched are left as they are."""
+        tables = {name: dict(scene[name]) for name in (*TABLES, "forces") if name in scene}
+        for name, error in corner.numbers.items():
+            if name.startswith("forces."):
+                table, key = "forces", name.removeprefix("forces.") + {"forces.preload": "_n", "forces.spring_rate": "_n_m"}[name]
+            elif (place := place_of(scene, name)) is not None:
+                table, key = place
+                unit = key.removeprefix(name + "_")
+                error = error / LENGTHS[unit] if unit in LENGTHS else in_unit((error, "rad"), unit)
+            else:
+                table, key = "cam", name + "_m"  # an offset that is not written is 0
+            value = tables[table].get(key, 0)
+            if not isinstance(value, dict):
+                tables[table][key] = number(value) + error
+        return scene | tables
+
     def corners(self):
         """Every choice of ends."""
         signs = [(1, -1) if error else (1,) for error in self.motion] + [(1, -1)] * len(self.numbers)
@@ -79,13 +111,14 @@ class Tolerances:
                          {name: sign * size for sign, (name, size) in zip(ends[3:], self.numbers.items())})
 
     def named(self, remark):
-        """(the remark without it, the corner) of "outer flank, made s+ s'-, base_radius-"."""
+        """(the remark without it, the corner) of "outer flank, made s+ s'-0.25, base_radius-": at an end, or a part of the tolerance."""
         start = remark.find("made ")
         if start < 0:
             return remark, None
         motion, numbers = [Fraction(0)] * 3, {}
         for word in re.split(r",? ", remark[start + len("made "):]):
-            name, sign = word[:-1], 1 if word[-1] == "+" else -1
+            name, sign, part = re.fullmatch(r"(.*?)([+-])([\d.e-]*)", word).groups()
+            sign = number(sign + (part or "1"))
             if name in MARKS:
                 motion[MARKS.index(name)] = sign * self.motion[MARKS.index(name)]
             else:

@@ -4,6 +4,7 @@
 #include "core/text/list_text.hpp"
 #include "report/drawing/plane_cam.hpp"
 #include "report/view/key_words.hpp"
+#include "report/view/number_text.hpp"
 #include "scene/limit_table.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/dimension_marks.hpp"
@@ -440,7 +441,8 @@ class CamSheetMaker {
             "α from the datum mark, {} as drawn. {}.",
             cam_.rotation() == Rotation::counterclockwise ? "clockwise" : "counterclockwise", radii_words));
         notes.push_back(fmt::format("Section through the {}.", drawing_.keyway ? "keyway" : "datum"));
-        if (std::string tolerance = profile_tolerance(); !tolerance.empty()) notes.push_back(tolerance);
+        for (std::string tolerance : {profile_tolerance(), number_tolerances()})
+            if (!tolerance.empty()) notes.push_back(std::move(tolerance));
         return notes;
     }
     /// "Profile: the follower's displacement within ±0.02 mm, its slope within ±0.005 mm/deg." Empty: none is
@@ -458,10 +460,39 @@ class CamSheetMaker {
         if (slope)
             append_item(words,
                         fmt::format("its slope within ±{:.4g} {}/deg", *slope / unit * units::degree, name));
+        if (acceleration)
+            append_item(words, fmt::format("its second derivative within ±{:.4g} {}/deg²",
+                                           *acceleration / unit * units::degree * units::degree, name));
         return words.empty() ? words : fmt::format("Profile: {}.", words);
+    }
+    /// "base radius ±0.05 mm": what the limits were held for. Empty: none is given.
+    [[nodiscard]] std::string number_tolerances() const {
+        std::string words;
+        if (!solution_.scene.tolerance) return words;
+        const CamSpec& cam = *solution_.scene.cam;
+        for (const auto& [name, tolerance] : solution_.scene.tolerance->numbers) {
+            const int own = cam.written_as(name);
+            if (own < 0 || tolerance.percent) continue;
+            const bool turns = cam.dimensions[static_cast<std::size_t>(own)].is_angle;
+            append_item(words,
+                        fmt::format("{} ±{:.4g} {}", words_of(name),
+                                    tolerance.size / (turns ? units::degree : metres_of(sheet_.lengths)),
+                                    turns ? "deg" : name_of(sheet_.lengths)));
+        }
+        return words.empty() ? words : fmt::format("Limits hold for {}.", words);
+    }
+    /// "±0.02 mm", of the follower's displacement; empty: none is given.
+    [[nodiscard]] std::string band_of_profile() const {
+        const auto& tolerance = solution_.scene.tolerance;
+        if (!tolerance || !tolerance->motion[0]) return {};
+        const bool turns = solution_.scene.motion.lift_is_angle;
+        return fmt::format("±{:.4g} {} of the follower",
+                           *tolerance->motion[0] / (turns ? units::degree : metres_of(sheet_.lengths)),
+                           turns ? "deg" : name_of(sheet_.lengths));
     }
     void add_furniture() {
         TitleBlock title = drawing_.title_block;
+        if (title.profile_tolerance.empty()) title.profile_tolerance = band_of_profile();
         if (title.part.empty())
             title.part = sheet_.title;
         else if (!piece_.empty())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/driven_mechanism.hpp"
 
+#include "objectives/rules/between_ends.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/made_cams.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
 namespace camopt {
@@ -52,6 +52,14 @@ std::vector<EnclosedLimit> enclosed_limits(const Scene& scene, const DrivenMecha
         if (!rule->at_every_station()) all.back().complete = false;
         all.back().made = made_cam_of(*rule);
     }
+    if (!scene.tolerance) return all;
+    for (const BetweenEnds& one : between_ends(scene, variables, motion))
+        all.push_back({one.rule->name(),
+                       one.worst,
+                       one.at,
+                       one.enclosed && one.rule->at_every_station(),
+                       {},
+                       one.parts});
     return all;
 }
 

@@ -29,6 +29,9 @@ struct EnclosedLimit {
     bool complete = false;
     std::string made =
         {};  ///< of a rule for one cam within tolerances: which (objectives/rules/made_cams.hpp)
+    /// Between the ends of the tolerances: the worst cam there (`worst` −infinity: none is worse than those
+    /// at the ends).
+    std::optional<MadeParts> between = {};
 };
 
 /// Of every rule of the scene's limits on its cam, whose formulas and numbers are `cam`.

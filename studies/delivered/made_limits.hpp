@@ -14,4 +14,8 @@ void hold_for_made_cams(Solution& solution);
 /// solution, perhaps with other tolerances. The solution has a cam.
 [[nodiscard]] std::vector<ConstraintReport> made_constraints(const Solution& solution, const Scene& scene);
 
+/// Cams between the ends of the tolerances that pass a limit of the solution, to a thousandth of a tolerance;
+/// without those of ToleranceSpec::between.
+[[nodiscard]] std::vector<MadeParts> passing_cams(const Solution& solution);
+
 }  // namespace camopt

@@ -27,6 +27,9 @@ struct ConstraintReport {
     double scale = 0.0;       ///< of the quantity, in the unit; 0: known from the limit and its row
     /// With tolerances: its worst value over all cams within them; `worst` is that of the drawing.
     std::optional<double> made = {};
+    double made_at = 0.0;  ///< x of it
+    std::string made_cam =
+        {};  ///< its errors that matter: "s+ s'- base_radius-" (objectives/rules/made_cams.hpp)
 
     /// What the limit is held against.
     [[nodiscard]] double held() const { return made.value_or(worst); }

@@ -142,7 +142,66 @@ DeviationFigures figures_of(const std::vector<InspectedRow>& rows, double Inspec
     return figures;
 }
 
-/// The worst rows, and the stretches out of tolerance: those closer than a neighbourhood are one.
+/// A row out of tolerance joins a stretch that is closer than a neighbourhood.
+void add_outside(std::vector<std::array<double, 3>>& out, double angle, double value) {
+    if (out.empty() || angle - out.back()[1] > neighbourhood) out.push_back({angle, angle, value});
+    out.back()[1] = angle;
+    if (std::abs(value) > std::abs(out.back()[2])) out.back()[2] = value;
+}
+
+constexpr int least_rows = 5;       // of a parabola
+constexpr double surely_out = 2.0;  // standard errors
+
+/// Derivative `order` of the parabola through what lies within a neighbourhood of row i, and its standard
+/// error; NaN: too few rows.
+std::array<double, 2> local_derivative(const Inspection& found, std::size_t i, int order) {
+    const double centre = found.rows[i].angle;
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    int rows = 0;
+    const auto count = static_cast<std::ptrdiff_t>(found.rows.size());
+    const auto take = [&](std::ptrdiff_t k) {  // around the revolution, too
+        const InspectedRow& row = found.rows[static_cast<std::size_t>((k % count + count) % count)];
+        const double t = std::remainder(row.angle - centre, units::turn) / neighbourhood;
+        if (std::abs(t) > 1.0) return false;
+        if (row.outlier) return true;
+        const Eigen::Vector3d terms(1.0, t, t * t);
+        normal += terms * terms.transpose();
+        right += row.follower * terms;
+        ++rows;
+        return true;
+    };
+    const auto own = static_cast<std::ptrdiff_t>(i);
+    take(own);
+    for (const int way : {1, -1})
+        for (std::ptrdiff_t step = 1; step <= count / 2 && take(own + way * step);) ++step;
+    if (rows < least_rows) return {std::nan(""), std::nan("")};
+    const Eigen::Matrix3d inverse = normal.completeOrthogonalDecomposition().pseudoInverse();
+    const double unit = (order == 2 ? 2.0 : 1.0) / std::pow(neighbourhood, order);
+    const double per_deviation =  // of the follower for the noise of a row
+        found.rows[i].aligned != 0.0 ? std::abs(found.rows[i].follower / found.rows[i].aligned) : 1.0;
+    return {unit * inverse.row(order).dot(right),
+            unit * per_deviation * found.noise * std::sqrt(inverse(order, order))};
+}
+
+ErrorDerivative error_derivative(const Inspection& found, int order, double tolerance) {
+    ErrorDerivative own{order, tolerance};
+    for (std::size_t i = 0; i < found.rows.size(); ++i) {
+        const auto [value, error] = local_derivative(found, i, order);
+        own.values.push_back(value);
+        own.errors.push_back(error);
+        if (std::abs(value) > std::abs(own.worst)) {
+            own.worst = value;
+            own.worst_at = found.rows[i].angle;
+            own.worst_error = error;
+        }
+        if (std::abs(value) - surely_out * error > tolerance)
+            add_outside(own.out, found.rows[i].angle, value);
+    }
+    return own;
+}
+
+/// The worst rows, and the stretches out of tolerance.
 void name_worst(Inspection& found) {
     std::vector<InspectedRow> order = found.rows;
     std::ranges::stable_sort(order, std::greater(), [](const auto& row) { return std::abs(row.around); });
@@ -154,23 +213,27 @@ void name_worst(Inspection& found) {
             found.worst.push_back(row);
     }
     for (const InspectedRow& row : found.rows) {
-        if (!found.tolerance || std::abs(row.aligned) <= *found.tolerance) continue;
-        if (found.out.empty() || row.angle - found.out.back()[1] > neighbourhood)
-            found.out.push_back({row.angle, row.angle, row.aligned});
-        found.out.back()[1] = row.angle;
-        if (std::abs(row.aligned) > std::abs(found.out.back()[2])) found.out.back()[2] = row.aligned;
+        if (found.tolerance && std::abs(found.judged(row)) > *found.tolerance)
+            add_outside(found.out, row.angle, found.judged(row));
     }
 }
 
 }  // namespace
 
+InspectionTolerance inspection_tolerance(const Scene& scene) {
+    if (!scene.tolerance) return {};
+    const auto& [profile, slope, acceleration] = scene.tolerance->motion;
+    return {profile, true, {slope, acceleration}};
+}
+
 Inspection inspect_cam(const Solution& nominal, const input::InspectedTable& table, double probe_radius,
-                       std::optional<double> tolerance) {
+                       const InspectionTolerance& tolerance) {
     const CompareRow compare = row_comparison(nominal, table, probe_radius);
     Inspection found;
     found.points = table.points;
     found.is_angle = nominal.scene.motion.lift_is_angle;
-    found.tolerance = tolerance;
+    found.tolerance = tolerance.deviation;
+    found.of_follower = tolerance.of_follower;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         found.rows.emplace_back().line = table.lines[i];
         found.rows.back().given = table.rows[i];
@@ -188,6 +251,9 @@ Inspection inspect_cam(const Solution& nominal, const input::InspectedTable& tab
     found.base = figures_of(found.rows, &InspectedRow::aligned, true);
     found.lobe = figures_of(found.rows, &InspectedRow::aligned, false);
     name_worst(found);
+    for (std::size_t k = 0; k < tolerance.derivatives.size(); ++k)
+        if (const auto& own = tolerance.derivatives[k])
+            found.derivatives.push_back(error_derivative(found, static_cast<int>(k) + 1, *own));
     return found;
 }
 

@@ -4,6 +4,7 @@
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/made_limits.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
@@ -23,12 +24,30 @@ namespace camopt {
 
 namespace {
 
+/// With tolerances: cams between their ends that pass a limit join those that it is held for, and the scene
+/// is solved again. A round takes what is left to its square.
+Solution solve_for_made_cams(const Scene& scene, const SolveControl& timed, KnownSolutions* known,
+                             const PlanOptions& options) {
+    constexpr int most_rounds = 6;
+    Solution solution = solve_planned(scene, timed, known, options);
+    if (!scene.tolerance || options.look) return solution;
+    Scene held = scene;
+    for (int round = 0; round < most_rounds && solution.motion && !timed.ending(); ++round) {
+        const std::vector<MadeParts> more = passing_cams(solution);
+        if (more.empty()) break;
+        if (known != nullptr) known->optima.withdraw();
+        held.tolerance->between.insert(held.tolerance->between.end(), more.begin(), more.end());
+        solution = solve_planned(held, timed, nullptr, options);
+    }
+    return solution;
+}
+
 Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSolutions* known,
                          const PlanOptions& options) {
     if (scene.is_given()) return given_solution(scene);
     std::optional<MeasuredReport> measured;
     if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
-    Solution solution = solve_planned(scene, timed, known, options);
+    Solution solution = solve_for_made_cams(scene, timed, known, options);
     if (measured) {
         measured->started = began_from_measured(solution);
         solution.measured = std::move(measured);

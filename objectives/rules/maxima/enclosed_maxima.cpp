@@ -147,6 +147,12 @@ class Search {
 
 }  // namespace
 
+std::optional<std::array<Interval, 5>> ranges_on(const SmoothPiece& piece, const Interval& x) {
+    if (piece.part) return ranges_of(*piece.part, x);
+    if (piece.y.size() > most_degree + 1) return {};
+    return derivative_ranges(piece.y, x.lower - piece.piece.begin, x.upper - piece.piece.begin);
+}
+
 std::optional<std::vector<Extremum>> enclosed(const Subject& subject, const SmoothPiece& piece, double floor,
                                               double accuracy, Effort& effort) {
     if (effort.enclosures <= 0 || piece.y.size() > most_degree + 1) return {};

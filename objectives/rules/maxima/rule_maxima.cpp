@@ -151,36 +151,6 @@ class CurvedPieces {
     std::vector<SmoothPiece> pieces_;
 };
 
-/// A part of a chain between its breakpoints: a spline as polynomials of x − begin.
-std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
-    if (!part.shape) return {{{part.begin, part.end}, Eigen::VectorXd::Constant(1, part.y0)}};
-    std::vector<SmoothPiece> pieces;
-    const auto* curve = dynamic_cast<const SplineCurve*>(part.shape.get());
-    if (!curve || part.x_scale < 0.0) {
-        std::vector<double> points = {part.begin, part.end};
-        for (const double own : part.shape->breakpoints())
-            points.push_back(std::clamp(part.x0 + part.x_scale * own, part.begin, part.end));
-        std::ranges::sort(points);
-        for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            if (points[i + 1] - points[i] > same_value)
-                pieces.push_back({{points[i], points[i + 1]}, {}, &part});
-        return pieces;
-    }
-    const std::vector<double>& breakpoints = curve->space().breakpoints();
-    for (int segment = 0; segment + 1 < static_cast<int>(breakpoints.size()); ++segment) {
-        const auto at = static_cast<std::size_t>(segment);
-        const double begin = part.x0 + part.x_scale * breakpoints[at];
-        const double end = part.x0 + part.x_scale * breakpoints[at + 1];
-        if (end <= part.begin + same_value || begin >= part.end - same_value)
-            continue;  // of the adjacent part
-        Eigen::VectorXd y = part.y_scale * curve->derivative_polynomial(segment, 0);
-        for (int k = 0; k < static_cast<int>(y.size()); ++k) y[k] /= std::pow(part.x_scale, k);
-        y[0] += part.y0;
-        pieces.push_back({{begin, end}, std::move(y)});
-    }
-    return pieces;
-}
-
 /// The displacement that is the origin of y for a placed rule.
 double datum_of(const PlacedRule& rule, const MotionFamily& family, const MotionChain& motion) {
     if (rule.datum == PlacedRule::Datum::zero) return 0.0;
@@ -208,6 +178,36 @@ std::vector<Extremum> inside(const std::array<double, 2>& range, const Subject& 
 }
 
 }  // namespace
+
+// A spline as polynomials of x − begin.
+std::vector<SmoothPiece> piece_maxima::pieces_of(const ChainPart& part) {
+    if (!part.shape) return {{{part.begin, part.end}, Eigen::VectorXd::Constant(1, part.y0)}};
+    std::vector<SmoothPiece> pieces;
+    const auto* curve = dynamic_cast<const SplineCurve*>(part.shape.get());
+    if (!curve || part.x_scale < 0.0) {
+        std::vector<double> points = {part.begin, part.end};
+        for (const double own : part.shape->breakpoints())
+            points.push_back(std::clamp(part.x0 + part.x_scale * own, part.begin, part.end));
+        std::ranges::sort(points);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            if (points[i + 1] - points[i] > same_value)
+                pieces.push_back({{points[i], points[i + 1]}, {}, &part});
+        return pieces;
+    }
+    const std::vector<double>& breakpoints = curve->space().breakpoints();
+    for (int segment = 0; segment + 1 < static_cast<int>(breakpoints.size()); ++segment) {
+        const auto at = static_cast<std::size_t>(segment);
+        const double begin = part.x0 + part.x_scale * breakpoints[at];
+        const double end = part.x0 + part.x_scale * breakpoints[at + 1];
+        if (end <= part.begin + same_value || begin >= part.end - same_value)
+            continue;  // of the adjacent part
+        Eigen::VectorXd y = part.y_scale * curve->derivative_polynomial(segment, 0);
+        for (int k = 0; k < static_cast<int>(y.size()); ++k) y[k] /= std::pow(part.x_scale, k);
+        y[0] += part.y0;
+        pieces.push_back({{begin, end}, std::move(y)});
+    }
+    return pieces;
+}
 
 std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& family,
                                   const MotionChain& motion, const Eigen::VectorXd& q) {
@@ -265,7 +265,7 @@ MaximaAlong maxima_along(const PointRule& rule, const Motion& motion, const Eige
         return {maxima_among(inside(rule.holds_between(), subject, std::move(candidates))), false};
     }
     for (const ChainPart& part : chain->parts())
-        for (SmoothPiece& piece : pieces_of(part)) curved.add(std::move(piece), candidates);
+        for (SmoothPiece& piece : piece_maxima::pieces_of(part)) curved.add(std::move(piece), candidates);
     const bool complete = curved.finish(candidates);
     return {maxima_among(inside(rule.holds_between(), subject, std::move(candidates))), complete};
 }

@@ -81,6 +81,11 @@ struct SmoothPiece {
     Eigen::VectorXd y;
     const ChainPart* part = nullptr;  ///< then `y` is empty
 };
+/// The pieces of a part of a chain between its breakpoints.
+[[nodiscard]] std::vector<SmoothPiece> pieces_of(const ChainPart& part);
+/// Enclosures of y to its fourth derivative over x, inside the piece; nullopt: its shape has none.
+[[nodiscard]] std::optional<std::array<Interval, 5>> ranges_on(const SmoothPiece& piece, const Interval& x);
+
 /// Every maximum inside the piece above `floor`, ascending, by enclosures of the rule, its slope and its
 /// second derivative: none is missed, each value is accurate to `accuracy`. Nullopt if the rule cannot be
 /// enclosed within the effort limit.

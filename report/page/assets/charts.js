@@ -18,6 +18,7 @@
     for (const name of ['reference', 'measured'])
       if (shown[name] && curve[name]) curve[name].values.forEach((value) => { if (value !== null && Math.abs(value) < 3 * own) take(value); });
     curve.marks.forEach((mark) => take(mark.value));
+    if (shown.band && curve.band) [curve.band.low, curve.band.high].forEach((edge) => edge.forEach(take));
     if (shown.measured && curve.points) curve.points.forEach((point) => take(point[1]));
     if (shown.limits) curve.limits.forEach((limit) => { if (Math.abs(limit.at) < 2.2 * own) take(limit.at); });
     if (low > 0 && low < 0.6 * high) low = 0;
@@ -254,7 +255,8 @@
     columns() {
       const shown = this.all.shown;
       const beside = (name) => shown[name] && this.curve[name] ? this.curve[name].values : this.all.nothing;
-      return [this.all.angle.values, this.curve.values, beside('reference'), beside('measured')];
+      const edge = (name) => shown.band && this.curve.band ? this.curve.band[name] : this.all.nothing;
+      return [this.all.angle.values, this.curve.values, beside('reference'), beside('measured'), edge('low'), edge('high')];
     }
 
     show(curve) {
@@ -291,7 +293,9 @@
         ],
         series: [{}, { stroke: () => colour('curve'), width: 2, points: { show: false } },
           { stroke: () => colour('reference'), width: 1.4, dash: [6, 4].map(dots), points: { show: false } },
-          { stroke: () => colour('given'), width: 1.4, dash: [2, 3].map(dots), points: { show: false } }],
+          { stroke: () => colour('given'), width: 1.4, dash: [2, 3].map(dots), points: { show: false } },
+          ...[0, 1].map(() => ({ stroke: () => colour('band'), width: 0.8, points: { show: false } }))],
+        bands: [{ series: [5, 4], fill: () => colour('band-shade') }],
         hooks: {
           drawClear: [(u) => { if (all.shown.limits) drawLimits(u, self.curve); }],
           draw: [(u) => {
@@ -341,7 +345,7 @@
     const charts = new Map(), hidden = new Set(), motor = element('div', { 'data-picture': 'motor' });
     const self = {
       host, chips, angle, charts, data: null, nothing: [], syncKey: 'camopt-' + Math.random(),
-      shown: { reference: true, measured: true, limits: true, marks: true },
+      shown: { reference: true, measured: true, band: true, limits: true, marks: true },
       printWidth: 0,
       width() { return self.printWidth || Math.max(host.clientWidth - frameWidth, 220); },
       redraw() { charts.forEach((chart) => { if (chart.plot) { chart.plot.setData(chart.columns()); } }); },
@@ -408,6 +412,7 @@
       const extras = [];
       if (reference) extras.push(['reference', reference.reference.title + ' (dashed)']);
       if (data.curves.some((curve) => curve.measured)) extras.push(['measured', 'measured (dotted, rows as dots)']);
+      if (data.curves.some((curve) => curve.band)) extras.push(['band', 'made cams (shaded)']);
       if (data.curves.some((curve) => curve.limits.length)) extras.push(['limits', 'limits']);
       extras.push(['marks', 'marked points']);
       for (const [name, words] of extras)

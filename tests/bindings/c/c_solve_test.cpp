@@ -170,7 +170,7 @@ TEST_P(CSolveOfScene, EqualsCppExactly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CSolveOfScene,
-                         ::testing::Values("drd_cubic_12", "drd_quintic_end_jerk", "rr_unequal_return",
+                         ::testing::Values("drd_cubic_12", "cam_tolerances", "drd_quintic_end_jerk", "rr_unequal_return",
                                            "drd_physical_limits", "swing_limits", "cam_roller",
                                            "cam_laws_and_splines", "cam_forces"));
 

@@ -13,7 +13,7 @@ import numpy as np
 import program
 
 SCENES = ("drd_cubic_12.toml", "drd_quintic_12.toml", "rr_unequal_return.toml", "drd_physical_limits.toml",
-          "cam_roller.toml", "cam_forces.toml", "cam_drdrd.toml", "infeasible_velocity_cap.toml", "drd_free_knots.toml")
+          "cam_roller.toml", "cam_forces.toml", "cam_drdrd.toml", "infeasible_velocity_cap.toml", "drd_free_knots.toml", "cam_tolerances.toml")
 ROLLER = program.scene_path("cam_roller.toml")
 
 

@@ -124,10 +124,35 @@ TEST(Inspection, SearchesLargeOffsetsOfAngle) {
     expect_found(inspect_cam(nominal(), point_table(errors, 5, 0.0)), errors);
 }
 
+/// The bump's slope is bump · π / width at most: 1.57 um/deg, its second derivative 0.16 um/deg².
+TEST(Inspection, JudgesSlopesOfLiftsAndPoints) {
+    Errors errors;
+    errors.noise = 0.02 * um;
+    const double steepest = errors.bump * std::numbers::pi / errors.bump_width;
+    const double bent =
+        2.0 * errors.bump * std::numbers::pi * std::numbers::pi / (errors.bump_width * errors.bump_width);
+    for (const bool points : {false, true}) {
+        const input::InspectedTable table = points ? point_table(errors, 7, 0.0) : lift_table(errors, 7);
+        const auto judged = [&](double part) {
+            return inspect_cam(nominal(), table, 0.0, {100.0 * um, true, {part * steepest, part * bent}});
+        };
+        const Inspection wide = judged(1.3), narrow = judged(0.7);
+        EXPECT_TRUE(wide.in_tolerance());
+        EXPECT_FALSE(narrow.in_tolerance());
+        EXPECT_TRUE(narrow.out.empty());  // the profile is in tolerance
+        ASSERT_EQ(narrow.derivatives.size(), 2U);
+        for (const ErrorDerivative& one : narrow.derivatives) {
+            EXPECT_FALSE(one.out.empty());
+            EXPECT_NEAR(std::abs(one.worst), one.order == 1 ? steepest : bent,
+                        0.15 * (one.order == 1 ? steepest : bent));
+        }
+    }
+}
+
 TEST(Inspection, SeparatesBaseCircleFromLobe) {
     Errors errors;
     errors.bump_at = 300.0 * degree;  // in the dwell at 0
-    const Inspection found = inspect_cam(nominal(), lift_table(errors, 6), 0.0, 8.0 * um);
+    const Inspection found = inspect_cam(nominal(), lift_table(errors, 6), 0.0, {8.0 * um});
     EXPECT_NEAR(found.base.most, errors.bump, 3.0 * um);
     EXPECT_LT(found.lobe.most, 5.0 * um);
     EXPECT_EQ(found.base.rows + found.lobe.rows, errors.rows);
