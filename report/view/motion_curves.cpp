@@ -201,7 +201,9 @@ std::vector<Curve> motion_curves(const View& view) {
         if (row != nullptr) curve.note = note_of(view, *row, reference);
         all.push_back(std::move(curve));
     }
-    if (measured != nullptr) all.push_back(residual_curve(view));
+    // Lines and arcs are followed to rounding: there is no residual to look at.
+    const std::optional<CamSpec>& cam = view.solution.scene.cam;
+    if (measured != nullptr && !(cam && !cam->pieces.empty())) all.push_back(residual_curve(view));
     return all;
 }
 

@@ -155,11 +155,9 @@ class Cams(unittest.TestCase):
 
     def test_a_given_cam_comes_from_arrays(self):
         angle = np.linspace(0, 2 * math.pi, 720, endpoint=False)
-        scene = camopt.Scene.from_toml('''
-            motion = { type = "program", lift_mm = 10 }
-            cam = { type = "disk", follower = "translating_knife", base_radius_mm = 35 }''')
-        scene.update({"measured.use": "given", "measured.x_mm": list(40 * np.cos(angle)),
-                      "measured.y_mm": list(40 * np.sin(angle) - 5)})
+        points = {"use": "given", "x_mm": list(40 * np.cos(angle)), "y_mm": list(40 * np.sin(angle) - 5)}
+        scene = camopt.Scene(type="program", lift_mm=10, measured=points,
+                             cam={"type": "disk", "follower": "translating_knife", "base_radius_mm": 35})
         solution = camopt.solve(scene)
         self.assertEqual((solution.verdict, solution.reason), ("feasible", "given_cam"))
         x = np.linspace(0, 1, 50)

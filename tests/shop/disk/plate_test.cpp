@@ -18,7 +18,8 @@ using testing_support::says;
 using units::millimetre;
 
 Solution solved_plate(const std::string& name, const std::string& setting = "spline.segments = 16") {
-    return solve_without_explaining(testing_support::scene_named(name).with(setting), {}, nullptr, {.look = true});
+    return solve_without_explaining(testing_support::scene_named(name).with(setting), {}, nullptr,
+                                    {.look = true});
 }
 
 DiskNcOptions coarse_plate() {
