@@ -189,7 +189,7 @@ class Test:
         said = self.run("export", scenes / "tappet_75.toml", *none, "--drawing", "svg", status=2)
         assert 'allowed: with cam.type = "disk"' in said, said
         said = self.run("export", scenes / "linear_press.toml", *none, "--drawing", "svg", status=2)
-        assert 'allowed: with cam.type = "disk", "barrel" or "cylindrical"' in said, said
+        assert 'allowed: with cam.type = "disk", "barrel", "cylindrical" or "linear"' in said, said
         wish = ["export", self.folder / "cam_flat", "--out", self.folder / "pdf", "--drawing", "pdf"]
         if self.options.pdf:
             self.run(*wish)
