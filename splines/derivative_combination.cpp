@@ -48,7 +48,7 @@ MotionChain with_curves(const MotionChain& motion, double level, ChangeCurve&& c
         }
         const auto* const own = dynamic_cast<const SplineCurve*>(part.shape.get());
         if (own == nullptr || part.x_scale != 1.0 || part.y_scale != 1.0 || part.y0 != 0.0)
-            throw ModelError("the output of a train: a part of the motion is no spline of its own");
+            throw ModelError("the output of a train: a part of the motion is not a plain spline");
         auto& curve = curves[own];
         if (!curve) curve = std::make_shared<const SplineCurve>(changed(*own));
         part.shape = curve;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/response/train_study.hpp"
 
-#include "dynamics/train_formulas.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_family.hpp"
 #include "scene/limit_table.hpp"
@@ -50,21 +49,19 @@ class TrainStudyRun {
                 study_.lift_off_speeds.push_back(lift_off(pieces));
             }
     }
-    /// The mass stays, the spring changes.
+    /// A train whose springs and dampers all are so much stiffer, in lifts and x, is the given one at a speed that
+    /// is so much lower.
     void add_detuned() {
         if (!scene_.dynamics->formulas->vibrates()) return;
-        for (std::size_t i = 0; i < pieces_.size(); ++i)
-            study_.detuned.push_back({study_.motions[i].first, {}});
-        for (std::size_t k = 0; k < detuning.size(); ++k) {
-            const auto train =
-                detuned_train(detuning[k])
-                    ->at(scene_.motion.speed.value(), scene_.motion.unit_angle(), scene_.motion.lift);
-            for (std::size_t i = 0; i < pieces_.size(); ++i)
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            DetunedRow& row = study_.detuned.emplace_back(DetunedRow{study_.motions[i].first, {}});
+            for (std::size_t k = 0; k < detuning.size(); ++k) {
+                const auto train = train_at(scene_, scene_.motion.speed.value() / detuning[k]);
                 for (const MotionEvent& stroke : study_.strokes) {
-                    double& worst = study_.detuned[i].residual[k];
                     const EventPieces pieces = pieces_of_event(pieces_[i], stroke);
-                    worst = std::max(worst, EventResponse(*train, pieces).residual());
+                    row.residual[k] = std::max(row.residual[k], EventResponse(*train, pieces).residual());
                 }
+            }
         }
     }
     void add_steady(const Motion& turn) {
@@ -93,18 +90,6 @@ class TrainStudyRun {
     TrainStudy finished() { return std::move(study_); }
 
  private:
-    /// With its return spring the output vibrates at `factor` times its natural frequency.
-    [[nodiscard]] std::shared_ptr<const TrainFormulas> detuned_train(double factor) const {
-        if (factor == 1.0) return scene_.dynamics->formulas;
-        DynamicsSpec train = *scene_.dynamics;
-        const TrainStage output = train.output();
-        train.natural_frequency.reset();
-        train.damping_ratio.reset();
-        train.damping = output.damping;
-        train.stiffness =
-            factor * factor * (output.stiffness + train.return_stiffness) - train.return_stiffness;
-        return train_formulas(train);
-    }
     void add_history(const std::string& key, const EventPieces& pieces) {
         const double speed = scene_.motion.speed.value();
         const auto train = train_at(scene_, speed);

@@ -37,7 +37,7 @@ struct TrainHistory {
 };
 
 /// What is left after a motion where the train is not as it was thought to be: the largest amplitude after a
-/// stroke at the scene's speed, in lifts, by factors on the natural frequency of the output.
+/// stroke at the scene's speed, in lifts, by factors on its natural frequencies, damping in proportion.
 struct DetunedRow {
     std::string motion;
     std::array<double, 3> residual{};

@@ -210,7 +210,7 @@ TEST(LimitTable, EveryPeakCapIsReported) {
         const std::string json = result_json(solution), report = report_markdown(solution);
         for (const PeakLimitRow& row : peak_limit_rows()) {
             if (row.side != side) continue;
-            const std::string key = fmt::format("limits.{}{}", row.term().name(),
+            const std::string key = fmt::format("limits.{}{}", cost_term(row.figure).name(),
                                                 side == 0  ? ""
                                                 : side < 0 ? ".min"
                                                            : ".max");
