@@ -38,7 +38,7 @@ struct ToleranceSpec {
     /// a number of the spring ("preload", "spring_rate").
     std::map<std::string, NumberTolerance> numbers = {};
     /// Cams between the ends of the tolerances that limits are held for, too: the solve finds those that
-    /// would pass one (objectives/rules/between_ends.hpp).
+    /// would pass one (objectives/rules/maxima/between_ends.hpp).
     std::vector<MadeParts> between = {};
 
     [[nodiscard]] double of_motion(std::size_t order) const {

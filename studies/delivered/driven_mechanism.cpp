@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/driven_mechanism.hpp"
 
-#include "objectives/rules/between_ends.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/rules/maxima/between_ends.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
 namespace camopt {

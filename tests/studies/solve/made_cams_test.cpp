@@ -289,7 +289,7 @@ TEST_P(MadeCams, KeepLimitsThatDrawnOnesPass) {
 }
 
 /// Tolerances of size 0.
-TEST_P(MadeCams, OfNoToleranceAreTheDrawnOnes) {
+TEST_P(MadeCams, WithoutErrorsEqualDrawnOnes) {
     Scene scene = scene_named(GetParam());
     const Solution drawn = solve_without_explaining(scene, {});
     ToleranceSpec none = ordinary_tolerance(scene);

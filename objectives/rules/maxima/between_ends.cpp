@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/rules/between_ends.hpp"
+#include "objectives/rules/maxima/between_ends.hpp"
 
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
@@ -13,7 +13,7 @@ constexpr int most_boxes = 20000;
 // Relative to a rule's scale: accuracy of the largest value, far below what passes for a violation.
 constexpr double accuracy = 1e-9;
 // Relative to a rule's scale: values this far below the limit need not be known exactly.
-constexpr double far_below = 0.02;
+constexpr double far_below_limit = 0.02;
 constexpr std::size_t motion_errors = 3, most_errors = motion_errors + most_tolerant_numbers;
 
 struct BoxOfErrors {
@@ -67,7 +67,7 @@ class Search {
     double scale_;
     int& effort_;
     const SmoothPiece* piece_ = nullptr;
-    double best_ = -far_below;  ///< so far
+    double best_ = -far_below_limit;  ///< so far
     std::vector<BoxOfErrors> open_;
 
     struct Enclosed {
