@@ -37,7 +37,6 @@ std::string chart_style() {
     std::string style =
         "path{fill:none}"  // of a line with more than two points; marks name their fill
         ".optimum{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-        ".made{fill:#0072b2;fill-opacity:.16;stroke:#0072b2;stroke-opacity:.4;stroke-width:.8}"
         ".row-line{fill:none;stroke:#0072b2;stroke-width:1.6}"
         ".reference{fill:none;stroke:#6b6b6b;stroke-width:1.5;stroke-dasharray:6 4}"
         ".measured{fill:none;stroke:#009e73;stroke-width:1.5;stroke-dasharray:2 2.5}"
@@ -485,7 +484,13 @@ std::string chart_svg(Chart chart) {
         (chart.panels[i].columns.empty() ? draw_plot : draw_table)(
             drawn, chart.panels[i], margin + layout.corners[i].x, top + layout.corners[i].y);
     const double height = top + layout.height + 16;
-    SvgCanvas canvas(width, height, chart_style(), chart.title);
+    std::string style = chart_style();
+    const auto is_band = [](const ChartSeries& series) { return series.css == "made"; };
+    if (std::ranges::any_of(chart.panels, [&](const ChartPanel& panel) {
+            return std::ranges::any_of(panel.series, is_band);
+        }))
+        style += ".made{fill:#0072b2;fill-opacity:.16;stroke:#0072b2;stroke-opacity:.4;stroke-width:.8}";
+    SvgCanvas canvas(width, height, style, chart.title);
     canvas.rectangle(0, 0, width, height, "page");
     canvas.insert(0, 0, std::string(hatch) + drawn.elements());
     return canvas.finish();

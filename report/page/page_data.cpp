@@ -48,11 +48,6 @@ Json compared_json(const std::optional<ComparedCurve>& other) {
     return {{"title", other->title}, {"values", numbers(other->values)}};
 }
 
-Json band_json(const std::optional<CurveBand>& band) {
-    if (!band) return nullptr;
-    return {{"low", numbers(band->low)}, {"high", numbers(band->high)}};
-}
-
 Json limits_json(const Curve& curve) {
     Json all = Json::array();
     for (const CurveLimit& limit : curve.limits)
@@ -96,10 +91,11 @@ Json curves_part(const std::vector<Curve>& curves) {
                        {"values", numbers(curve.values)},
                        {"reference", compared_json(curve.reference)},
                        {"measured", compared_json(curve.measured)},
-                       {"band", band_json(curve.band)},
                        {"points", std::move(points)},
                        {"limits", limits_json(curve)},
                        {"marks", marks_json(curve)}});
+        if (curve.band)
+            all.back()["band"] = {{"low", numbers(curve.band->low)}, {"high", numbers(curve.band->high)}};
     }
     return all;
 }
