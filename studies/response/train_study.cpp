@@ -49,8 +49,8 @@ class TrainStudyRun {
                 study_.lift_off_speeds.push_back(lift_off(pieces));
             }
     }
-    /// A train whose springs and dampers all are so much stiffer, in lifts and x, is the given one at a speed that
-    /// is so much lower.
+    /// A train whose springs and dampers all are so much stiffer, in lifts and x, is the given one at a speed
+    /// that is so much lower.
     void add_detuned() {
         if (!scene_.dynamics->formulas->vibrates()) return;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
