@@ -127,7 +127,7 @@ Fault prescribed_output_fault(const Scene& scene) {
                           fmt::format("{} with dynamics.prescribe = \"output\"", spline.smoothness()),
                           "4 or more: the cam's acceleration has the output's fourth derivative in it"};
     if (spline.free_knots)
-        return SceneFault{member, found("with spline.breakpoints = \"free\""), "given breakpoints"};
+        return SceneFault{member, found("with spline.knots = \"free\""), "given breakpoints"};
     if (scene.motion.start || scene.motion.end || scene.motion.relative)
         return SceneFault{member, found("in a motion that does not start and end at rest"),
                           "without motion.start, motion.end and closed = \"relative\""};

@@ -11,10 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 
 namespace camopt::input {
 namespace scene_files_test {
@@ -24,7 +26,13 @@ const KnownNames known = {
     .laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid", "constant_velocity",
              "simple_harmonic", "parabolic", "polynomial", "double_harmonic"},
     .solvers = {},
-    .cam_formulas = cam_formulas};
+    .cam_formulas = cam_formulas,
+    .law_shape = [](const std::string&) -> std::function<std::array<double, 2>(double)> {
+        return [](double t) {  // the cycloidal one in the place of all
+            const double turn = 2.0 * std::numbers::pi;
+            return std::array{t - std::sin(turn * t) / turn, 1.0 - std::cos(turn * t)};
+        };
+    }};
 
 Scene known_scene(const std::filesystem::path& path, std::span<const std::string> settings) {
     return read_scene_file(path, known, settings);
