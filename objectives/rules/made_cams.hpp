@@ -9,8 +9,8 @@
 // end. A rule that does not depend on an error is held once.
 //
 // That is enough where a limit is linear, monotone or convex in each of the errors. Elsewhere
-// objectives/rules/maxima/between_ends.hpp encloses the limit over the tolerances along the delivered motion; cams
-// between the ends that would pass it join those that it is held for (ToleranceSpec::between).
+// objectives/rules/maxima/between_ends.hpp encloses the limit over the tolerances along the delivered motion;
+// cams between the ends that would pass it join those that it is held for (ToleranceSpec::between).
 #pragma once
 
 #include "objectives/rules/cam_rule.hpp"

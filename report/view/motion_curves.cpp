@@ -28,8 +28,8 @@ std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
             {view.degrees(std::max(bound.from, motion.begin())),
              view.degrees(std::min(bound.until, motion.end())),
              unit.per_normalised * bound.sign * bound.bound, bound.sign,
-             fmt::format("{}limit {}{}{}", bound.seen == SeenMotion::cam ? "the cam's " : "", short_text(bound.given),
-                         bound.unit.empty() ? "" : " ", unit_words(bound.unit))});
+             fmt::format("{}limit {}{}{}", bound.seen == SeenMotion::cam ? "the cam's " : "",
+                         short_text(bound.given), bound.unit.empty() ? "" : " ", unit_words(bound.unit))});
     }
     return all;
 }

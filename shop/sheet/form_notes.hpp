@@ -12,8 +12,8 @@ namespace camopt {
 /// The scene's limits of form and the least radii of curvature (of both disks), where there are any.
 void add_form_notes(std::vector<std::string>& notes, const Solution& solution, bool both_disks = false);
 
-/// "Profile: the follower's displacement within ±0.02 mm, its slope within ±0.005 mm/deg." and "Limits hold for
-/// base radius ±0.05 mm.", where the scene has tolerances.
+/// "Profile: the follower's displacement within ±0.02 mm, its slope within ±0.005 mm/deg." and "Limits hold
+/// for base radius ±0.05 mm.", where the scene has tolerances.
 void add_tolerance_notes(std::vector<std::string>& notes, const Scene& scene);
 
 /// "±0.02 mm of the follower", for the title block; empty: no profile tolerance is given.

@@ -35,7 +35,8 @@ bool leaves_its_strokes(const Scene& scene, const MotionFamily& family, const Mo
 }
 
 bool leaves_its_strokes(const Solution& solution) {
-    return solution.motion && leaves_its_strokes(solution.scene, *family_of(solution), solution.output_motion());
+    return solution.motion &&
+           leaves_its_strokes(solution.scene, *family_of(solution), solution.output_motion());
 }
 
 }  // namespace camopt

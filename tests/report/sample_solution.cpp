@@ -77,7 +77,7 @@ Solution sample_solution() {
     solution.peaks.jerk = {32.0, 0.0};
     solution.peaks.torque = {9.0, 0.375};
     solution.peaks.rms_velocity = 1.2;
-    solution.motion_peaks = solution.peaks;
+    solution.cam_peaks = solution.motion_peaks = solution.peaks;
     solution.reference_peaks.velocity.value = 1.76;
     solution.reference_peaks.acceleration.value = 5.53;
     solution.certificate.verdict = Verdict::optimal;
@@ -150,8 +150,9 @@ Solution program_solution() {
                                {down, end, make_law("modified_sine"), down, 0.5, 1.0, -1.0}});
     for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque})
         (solution.peaks.*peak).at += up;
-    solution.motion_peaks = solution.peaks;
+    solution.cam_peaks = solution.motion_peaks = solution.peaks;
     solution.motion_peaks.velocity = {2 * 1.7596, 3.75};
+    solution.cam_peaks = solution.motion_peaks;
     Peaks law = make_law("modified_sine")->peaks();
     for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque})
         (law.*peak).at = down + (end - down) * (law.*peak).at;
@@ -168,7 +169,7 @@ Solution infeasible_cam_solution() {
     solution.curve.reset();
     solution.motion.reset();
     solution.cam.reset();
-    solution.peaks = solution.motion_peaks = {};
+    solution.peaks = solution.motion_peaks = solution.cam_peaks = {};
     solution.certificate = {};
     solution.certificate.verdict = Verdict::infeasible;
     solution.constraints.clear();
@@ -189,7 +190,7 @@ Solution infeasible_solution() {
     Solution solution = sample_solution();
     solution.curve.reset();
     solution.motion.reset();
-    solution.peaks = solution.motion_peaks = {};
+    solution.peaks = solution.motion_peaks = solution.cam_peaks = {};
     solution.certificate = {};
     solution.certificate.verdict = Verdict::infeasible;
     solution.constraints.clear();

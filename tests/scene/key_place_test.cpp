@@ -55,6 +55,7 @@ std::vector<KeyValue> samples_of(const KeyRow& row) {
         return {KeyBounds{-1.0, 2.0}, KeyBounds{std::nullopt, 2.0}};
     if (row.type == KeyType::number_or_range) return {2.0, KeyBounds{1.0, 2.0}};
     if (row.type == KeyType::boolean) return {true, false};
+    if (row.name == "rest") return {4LL};  // up to 3 it is written as end_jerk
     if (row.type == KeyType::integer) return {static_cast<long long>(std::max(row.range.low, 2.0))};
     if (row.type == KeyType::number) return {allowed_number(row.range.scaled(row.spellings.front().factor))};
     if (row.type == KeyType::numbers) return {std::vector<double>{0.5, 1.0}};

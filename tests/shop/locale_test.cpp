@@ -99,7 +99,9 @@ void add_folder(Texts& texts, const std::string& name) {
     for (const ConflictReport& conflict : solution.conflict)
         texts[name + "/conflict"] += fmt::format("{} {} {}\n", conflict.key, conflict.at, conflict.weight);
     if (solution.motion) {
-        for (const FolderFile& file : plc_export(solution, plc_format_keys(), {}).files)
+        std::vector<std::string> formats = plc_format_keys();
+        if (solution.scene.spline.degree < 7) std::erase(formats, "twincat7");  // the jerk jumps
+        for (const FolderFile& file : plc_export(solution, formats, {}).files)
             texts[name + "/" + file.name] = file.text;
         texts[name + "/table.csv"] = uniform_table(solution, {.digits = 9}).text;
     }

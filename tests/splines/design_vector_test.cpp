@@ -29,14 +29,23 @@ Eigen::VectorXd admissible(const DesignVector& design, unsigned seed) {
     for (double& value : x) value = number(random);
     const auto rows = static_cast<Eigen::Index>(design.equalities().size());
     if (rows == 0) return x;
+    // Rows and entries by their size: weights of high derivatives are powers of the number of segments.
+    Eigen::VectorXd size(x.size());
+    for (int j = 0; j < size.size(); ++j) size[j] = std::pow(10.0, design.order(j));
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, x.size());
-    Eigen::VectorXd defect(rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
         const AffineRow& row = design.equalities()[i].row;
-        for (std::size_t k = 0; k < row.columns.size(); ++k) matrix(i, row.columns[k]) = row.weights[k];
-        defect[i] = row.value(x);
+        for (std::size_t k = 0; k < row.columns.size(); ++k)
+            matrix(i, row.columns[k]) = row.weights[k] * size[row.columns[k]];
     }
-    return x - matrix.completeOrthogonalDecomposition().solve(defect);
+    const Eigen::VectorXd norm = matrix.rowwise().norm();
+    const auto factor = (norm.cwiseInverse().asDiagonal() * matrix).eval().completeOrthogonalDecomposition();
+    for (int step = 0; step < 3; ++step) {
+        Eigen::VectorXd defect(rows);
+        for (Eigen::Index i = 0; i < rows; ++i) defect[i] = design.equalities()[i].row.value(x) / norm[i];
+        x -= size.cwiseProduct(factor.solve(defect));
+    }
+    return x;
 }
 
 constexpr std::array<DesignKind, 3> kinds = {DesignKind::ordinates, DesignKind::coefficients,

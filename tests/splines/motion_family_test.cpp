@@ -51,14 +51,24 @@ Eigen::VectorXd admissible(const MotionFamily& family, unsigned seed) {
     for (double& value : x) value = static_cast<double>(random()) / 4294967295.0 - 0.5;
     Eigen::MatrixXd rows =
         Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(family.equalities().size()), family.size());
-    Eigen::VectorXd right(rows.rows());
+    if (rows.rows() == 0) return x;
+    // Rows and entries by their size: weights of high derivatives are powers of the number of segments.
+    Eigen::VectorXd size(x.size());
+    for (int j = 0; j < size.size(); ++j) size[j] = std::pow(10.0, family.order(j));
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {
         const AffineRow& row = family.equalities()[static_cast<std::size_t>(i)].row;
-        for (std::size_t k = 0; k < row.columns.size(); ++k) rows(i, row.columns[k]) = row.weights[k];
-        right[i] = -row.offset;
+        for (std::size_t k = 0; k < row.columns.size(); ++k)
+            rows(i, row.columns[k]) = row.weights[k] * size[row.columns[k]];
     }
-    if (rows.rows() == 0) return x;
-    return x + rows.completeOrthogonalDecomposition().solve(right - rows * x);
+    const Eigen::VectorXd norm = rows.rowwise().norm();
+    const auto factor = (norm.cwiseInverse().asDiagonal() * rows).eval().completeOrthogonalDecomposition();
+    for (int step = 0; step < 3; ++step) {
+        Eigen::VectorXd defect(rows.rows());
+        for (Eigen::Index i = 0; i < rows.rows(); ++i)
+            defect[i] = family.equalities()[static_cast<std::size_t>(i)].row.value(x) / norm[i];
+        x -= size.cwiseProduct(factor.solve(defect));
+    }
+    return x;
 }
 
 std::vector<FamilyRequest> requests() {

@@ -170,9 +170,9 @@ TEST_P(CSolveOfScene, EqualsCppExactly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CSolveOfScene,
-                         ::testing::Values("drd_cubic_12", "cam_tolerances", "drd_quintic_end_jerk", "rr_unequal_return",
-                                           "drd_physical_limits", "swing_limits", "cam_roller",
-                                           "cam_laws_and_splines", "cam_forces", "given_wedge",
+                         ::testing::Values("drd_cubic_12", "cam_tolerances", "drd_quintic_end_jerk",
+                                           "rr_unequal_return", "drd_physical_limits", "swing_limits",
+                                           "cam_roller", "cam_laws_and_splines", "cam_forces", "given_wedge",
                                            "given_drum"));
 
 std::vector<camopt_profile_point> profile_of(const CSolution& c, std::size_t points,

@@ -45,6 +45,10 @@ TEST(Exports, EveryNameGivesAFile) {
         EXPECT_TRUE(has(names, name)) << name;
     std::vector<std::string> available;
     for (const std::string& name : names) {
+        if (name == "twincat7.st") {  // of a cubic the jerk jumps
+            EXPECT_THROW((void)exported_file(solution, name), InputError);
+            continue;
+        }
         const bool left_out =
             (name == "drawing.pdf" && !pdf_available()) || (name.ends_with(".step") && !step_available());
         if (left_out) {
