@@ -15,8 +15,6 @@ namespace {
 using Datum = PlacedRule::Datum;
 
 constexpr double same_level = 1e-9;  // lifts: tolerance of a set point on the edge of the range
-// Order of contact of y with the ends of a stroke at rest, and of y'.
-constexpr int contact_of_y = 3, contact_of_slope = 2;
 constexpr double slow_enough =
     1e-9;  // lifts by x: a joint or set point slower than this does not leave the range
 
@@ -87,6 +85,7 @@ std::vector<StrokeRange> strokes_of_one_spline(const Scene& scene) {
     std::vector<StrokeRange> strokes = {{"motion", 0, 0.0, 1.0, 0.0, 1.0}};
     if (scene.motion.type == MotionType::rr)
         strokes.push_back({"motion", 0, 1.0, scene.motion.length(), 1.0, 0.0});
+    strokes.front().rest_at_begin = strokes.back().rest_at_end = std::max(2, scene.rest_order());
     const std::array<double, 2> slopes = {end_velocities(scene.motion, false)[0],
                                           end_velocities(scene.motion, true)[0]};
     for (StrokeRange& stroke : strokes)
@@ -115,7 +114,9 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
         bound.stretch = stroke.stretch;
         bound.datum = datum;
         bound.starts_without_rows = true;
-        bound.contact = bound.order == 0 ? contact_of_y : contact_of_slope;
+        // y^(order) leaves its end with the first derivative that is not 0 there.
+        bound.contact_begin = stroke.rest_at_begin + 1 - bound.order;
+        bound.contact_end = stroke.rest_at_end + 1 - bound.order;
         bound.begin = stroke.begin;
         bound.end = stroke.end;
         bound.touches_begin = datum != Datum::end;
@@ -148,6 +149,13 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
 
 }  // namespace
 
+bool meets_rest(const MotionSpec& motion, int segment, bool at_end) {
+    const int count = static_cast<int>(motion.segments.size());
+    const int beside = segment + (at_end ? 1 : -1);
+    if (!motion.periodic() && (beside < 0 || beside >= count)) return true;
+    return motion.segments[static_cast<std::size_t>((beside + count) % count)].kind == SegmentKind::dwell;
+}
+
 std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family) {
     if (scene.motion.type != MotionType::program) return strokes_of_one_spline(scene);
     const std::vector<PlacedPoint> points = placed_points(scene.motion);
@@ -161,6 +169,8 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
                            stretch.end,
                            known_displacement(stretch.from),
                            known_displacement(stretch.to)};
+        if (meets_rest(scene.motion, i, false)) stroke.rest_at_begin = std::max(2, scene.rest_order());
+        if (meets_rest(scene.motion, i, true)) stroke.rest_at_end = std::max(2, scene.rest_order());
         const std::vector<Passed> passed = passed_points(points, stroke, i);
         stroke.has_points = !passed.empty();
         if (!stroke.is_free())

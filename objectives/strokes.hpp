@@ -27,9 +27,13 @@ struct StrokeRange {
     double least = -infinity,
            most = infinity;   ///< of its range, in lifts; infinite: open, or the ends are free
     bool has_points = false;  ///< its set points give a displacement
+    int rest_at_begin = 2, rest_at_end = 2;  ///< derivatives up to this order are 0 there, if it rests
 
     [[nodiscard]] bool is_free() const { return !from || !to; }
 };
+
+/// Whether spline.rest holds at that end of a spline segment of a program: it meets a dwell or an open end.
+[[nodiscard]] bool meets_rest(const MotionSpec& motion, int segment, bool at_end);
 
 /// In the order of the cam angle.
 [[nodiscard]] std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family);

@@ -17,19 +17,19 @@ LinearRule::LinearRule(const LinearBound& bound)
       bound_(bound) {}
 
 double LinearRule::scale_at(double x) const {
-    if (bound_.contact == 0) return 1.0;
+    if (!bound_.touches()) return 1.0;
     // So close to the ends that y, which leaves them from rest, is below 1e-10 of its stroke.
     constexpr double at_the_end = 1e-9;
     const double along = std::clamp((x - bound_.begin) / (bound_.end - bound_.begin), 0.0, 1.0);
-    const double from_ends = bound_.touches_begin && bound_.touches_end ? 4.0 * along * (1.0 - along)
-                             : bound_.touches_begin                     ? along
-                                                                        : 1.0 - along;
-    const double scale = std::pow(from_ends, bound_.contact);
+    const double unit = bound_.touches_begin && bound_.touches_end ? 2.0 : 1.0;
+    double scale = 1.0;
+    if (bound_.touches_begin) scale *= std::pow(unit * along, bound_.contact_begin);
+    if (bound_.touches_end) scale *= std::pow(unit * (1.0 - along), bound_.contact_end);
     return scale > at_the_end ? scale : 0.0;
 }
 
 double LinearRule::rounding() const {
-    if (bound_.contact == 0) return 0.0;
+    if (!bound_.touches()) return 0.0;
     // Of a polynomial by powers of the distance from its left breakpoint.
     constexpr double of_polynomial = 8.0 * std::numeric_limits<double>::epsilon();
     const double size = bound_.order == 0 ? std::max(1.0, std::abs(bound_.bound)) / bound_.scale : 1.0;

@@ -29,13 +29,14 @@ struct LinearBound {
     SeenMotion seen = SeenMotion::output;
 
     bool starts_without_rows = false;  ///< as in RuleData
-    /// Of a rule that is active at both ends of a stroke, from `begin` to `end`, and leaves its bound with
-    /// the power `contact` of the distance: violations are scaled by (4 ξ (1 − ξ))^contact, ξ = 0 … 1 along
-    /// the stroke. Active at one end only: by ξ^contact or (1 − ξ)^contact, so that the other end counts.
-    int contact = 0;
+    /// Of a rule that is active at both ends of a stroke, from `begin` to `end`, and leaves its bound there
+    /// with the powers b and e of the distance: violations are scaled by (2 ξ)^b (2 (1 − ξ))^e, ξ = 0 … 1
+    /// along the stroke. Active at one end only: by ξ^b or (1 − ξ)^e, so that the other end counts.
+    int contact_begin = 0, contact_end = 0;
     double begin = 0.0, end = 1.0;
     bool touches_begin = true, touches_end = true;
 
+    [[nodiscard]] bool touches() const { return contact_begin > 0 || contact_end > 0; }
     [[nodiscard]] bool of_motor() const { return weights != std::array<double, 3>{}; }
     [[nodiscard]] PlacedRule rule() const;
 };

@@ -288,8 +288,7 @@ class Bound:
         moved, length = stroke.moved, stroke.end - stroke.begin
         rises = self.rising[i] if stretch.free else stroke.to > stroke.start
         function = {j: w * sign for j, w in run.space.functional(at, order, side).items()}
-        along = (at - stroke.begin) / length
-        from_ends = 4 * along * (1 - along)
+        ends = True, True
         if rule == "motion.monotone":
             if not self.problem.motion.get("monotone", False) or order != 1 or sign != (-1 if rises else 1):
                 raise Refuted(f"{name}: the scene has no such rule")
@@ -298,18 +297,18 @@ class Bound:
             if not self.problem.motion.get("within_lift", True) or order != 0:
                 raise Refuted(f"{name}: the scene has no such rule")
             at_end = rises == (sign > 0)
-            end, from_ends = self.problem.level_at(i + at_end), 1 - along if at_end else along
+            end, ends = self.problem.level_at(i + at_end), (not at_end, at_end)
             add_to(function, {key: w for key, w in end.items() if key}, -sign)
             scale, most = moved, sign * (end.get(None, Fraction(0)) + run.level(stretch))
         else:
-            ends = stroke.least, stroke.most
+            bounds = stroke.least, stroke.most
             if not self.problem.motion.get("within_lift", True) or order != 0:
                 raise Refuted(f"{name}: the scene has no such rule")
-            if ends[sign > 0] is None:
+            if bounds[sign > 0] is None:
                 return None
-            scale = max(moved, STATED) if None in ends else stroke.most - stroke.least
-            most = sign * (ends[sign > 0] + run.level(stretch))
-        near = from_ends**(3 - order)  # camopt's row is this much larger
+            scale = max(moved, STATED) if None in bounds else stroke.most - stroke.least
+            most = sign * (bounds[sign > 0] + run.level(stretch))
+        near = stroke.near(at, order, ends)  # camopt's row is this much larger
         if near <= 0:
             return None
         return Row(name, k, {j: w / scale for j, w in function.items()}, most / scale + self.relaxed * near), 1 / near

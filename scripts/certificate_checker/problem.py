@@ -211,12 +211,14 @@ class Problem:
                 return self.derivative_in_unit(point, "velocity", width), Fraction(0)
         return Fraction(0), Fraction(0)
 
+    def rest_order(self):
+        """The highest derivative that is 0 where a spline meets rest."""
+        most = self.spline.get("rest", 3 if self.spline.get("end_jerk", "free") == "zero" else 2)
+        return max(most, 4) if self.prescribes_output() else most
+
     def rest(self, run, at_start, at_end):
         """Where the run meets rest its derivatives are 0 up to spline.rest; y' and y'' are demanded with the state."""
-        most = self.spline.get("rest", 3 if self.spline.get("end_jerk", "free") == "zero" else 2)
-        if self.prescribes_output():
-            most = max(most, 4)
-        for order in range(3, most + 1):
+        for order in range(3, self.rest_order() + 1):
             if at_start:
                 run.demand(run.space.breakpoints[0], order, "right", Fraction(0), "spline.rest")
             if at_end:

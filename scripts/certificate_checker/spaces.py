@@ -5,6 +5,8 @@ import math
 from .exact import Refuted, SAME_PLACE, combination, derivative, product, value_at
 from .rational import Fraction
 
+FAR = Fraction(10**9)  # a bound that says nothing
+
 
 class Space:
     """Piecewise polynomials of a degree on exact breakpoints, with a number of continuous derivatives; a spline is
@@ -22,7 +24,7 @@ class Space:
         self.size = len(self.knots) - degree - 1
         self.segments = len(breakpoints) - 1
         self.fold = fold
-        self.known = {}
+        self.known, self.spreads = {}, {}
 
     def first(self, segment):
         """The first of the degree + 1 control points that a segment feels."""
@@ -110,13 +112,20 @@ class Space:
         return [(self.knots[order + i + p] - self.knots[order + i]) / p for i in range(self.size - order)]
 
     def spread(self, order):
-        """How much larger than the largest value a control point of the derivative of this order can be: it is the
-        blossom at its knots of the polynomial on one segment, a combination of values there."""
-        q = self.degree - order
-        if q <= 1:
-            return Fraction(1)
-        largest_sum = Fraction(0)
+        """How much larger than the largest value a control point of the derivative of this order can be: the least of two bounds."""
+        if order not in self.spreads:
+            q = self.degree - order
+            bounds = [Fraction(1)] if q <= 1 else [self.spread_on_segments(order)]
+            if q >= 4 and self.continuity >= order:
+                bounds.append(Space(q, self.continuity - order, self.breakpoints).spread_over_all())
+            self.spreads[order] = min(bounds)
+        return self.spreads[order]
+
+    def spread_on_segments(self, order):
+        """A control point is the blossom at its knots of the polynomial on one segment, a combination of values there."""
+        q, largest_sum = self.degree - order, Fraction(0)
         knots = self.knots[order:len(self.knots) - order]
+        parts = [Fraction(math.sin(math.pi * i / (2 * q))**2) for i in range(q + 1)]  # Chebyshev's extrema
         for j in range(len(knots) - q - 1):
             own = knots[j + 1:j + q + 1]
             options = [(a, b) for a, b in zip(own, own[1:]) if b > a] or \
@@ -124,7 +133,7 @@ class Space:
             if not options:
                 continue
             a, b = max(options, key=lambda ab: ab[1] - ab[0])
-            nodes = [a + (b - a) * Fraction(i, q) for i in range(q + 1)]
+            nodes = [a + (b - a) * part for part in parts]
             total = Fraction(0)
             for i, node in enumerate(nodes):
                 lagrange = [Fraction(1)]
@@ -133,6 +142,23 @@ class Space:
                 total += abs(blossom(lagrange, own))
             largest_sum = max(largest_sum, total)
         return largest_sum
+
+    def spread_over_all(self):
+        """The control points interpolate the values at the means of their knots: the largest row sum of the inverse of that matrix
+        A. For any B with |1 - B A| = r < 1 in that norm it is at most |B| / (1 - r)."""
+        p, n = self.degree, self.size
+        places = [sum(self.knots[j + 1:j + p + 1]) / p for j in range(n)]
+        matrix = [self.functional(x, 0, "left" if x == self.breakpoints[-1] else "right") for x in places]
+        nearly = inverse([[float(row.get(j, 0)) for j in range(n)] for row in matrix])
+        norm, rest = Fraction(0), Fraction(0)
+        for i, row in enumerate(nearly):
+            exact = [Fraction(value) for value in row]
+            left = [Fraction(-(i == j)) for j in range(n)]
+            for weight, own in zip(exact, matrix):
+                for j, value in own.items():
+                    left[j] += weight * value
+            norm, rest = max(norm, sum(map(abs, exact))), max(rest, sum(map(abs, left)))
+        return norm / (1 - rest) if rest < 1 else FAR
 
 
 class CamSpace(Space):
@@ -172,3 +198,18 @@ def blossom(polynomial, places):
         for m in range(len(places), 0, -1):
             sums[m] += place * sums[m - 1]
     return sum((c * sums[m] / math.comb(len(places), m) for m, c in enumerate(polynomial)), Fraction(0))
+
+
+def inverse(matrix):
+    """Of a matrix of floating-point numbers, by Gauss and Jordan with the largest pivots; rounded."""
+    n = len(matrix)
+    rows = [row + [float(i == j) for j in range(n)] for i, row in enumerate(matrix)]
+    for k in range(n):
+        pivot = max(range(k, n), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        rows[k] = [value / rows[k][k] for value in rows[k]]
+        for i in range(n):
+            factor = rows[i][k]
+            if i != k and factor:
+                rows[i] = [value - factor * other for value, other in zip(rows[i], rows[k])]
+    return [row[n:] for row in rows]

@@ -15,6 +15,15 @@ class Stroke:
         self.begin, self.end, self.start, self.to = begin, end, start, to
         self.least, self.most = (None, None) if None in (start, to) else (min(start, to), max(start, to))
         self.moved = Fraction(1) if free else abs(to - start)
+        self.rests = [2, 2]  # derivatives up to these orders are 0 at its ends, where it rests
+
+    def near(self, at, order, ends=(True, True)):
+        """What a row of y^(order) is divided by: the powers that it leaves its ends with, of those of its ends that it touches."""
+        along, unit, near = (at - self.begin) / (self.end - self.begin), sum(ends), Fraction(1)
+        for touches, distance, rest in zip(ends, (along, 1 - along), self.rests):
+            if touches:
+                near *= (unit * distance)**(rest + 1 - order)
+        return near
 
 
 def stroke_of(problem, stretch, at):
@@ -25,11 +34,16 @@ def stroke_of(problem, stretch, at):
             Stroke(Fraction(1), stretch.end, Fraction(1), Fraction(0))
         slopes = [problem.runs[0].states[0][0] if rises else Fraction(0),
                   problem.runs[0].states[1][0] if problem.type == "DRD" or not rises else Fraction(0)]
+        if rises:
+            found.rests[0] = problem.rest_order()
+        if problem.type == "DRD" or not rises:
+            found.rests[1] = problem.rest_order()
         via, width, begin = problem.motion.get("via", []), Fraction(1), Fraction(0)
     else:
         i = problem.stretches.index(stretch)
         found = Stroke(stretch.begin, stretch.end, stretch.start, stretch.to, stretch.free)
         slopes = [slope_beside(problem, i - 1, 0), slope_beside(problem, i + 1, 1)]
+        found.rests = [problem.rest_order() if problem.is_rest(problem.motion["segments"], j) else 2 for j in (i - 1, i + 1)]
         via, width, begin = problem.motion["segments"][i].get("via", []), stretch.end - stretch.begin, stretch.begin
     passed = [p for point in via for p in passed_points(problem, point, begin, width, found)]
     if stretch.free:

@@ -118,7 +118,7 @@ class Tolerances:
         motion, numbers = [Fraction(0)] * 3, {}
         for word in re.split(r",? ", remark[start + len("made "):]):
             name, sign, part = re.fullmatch(r"(.*?)([+-])([\d.e-]*)", word).groups()
-            sign = number(sign + (part or "1"))
+            sign = number(part or "1") * (1 if sign == "+" else -1)
             if name in MARKS:
                 motion[MARKS.index(name)] = sign * self.motion[MARKS.index(name)]
             else:

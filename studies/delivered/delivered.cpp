@@ -79,7 +79,8 @@ std::optional<MotionPoint> output_at(const Solution& solution, double x, Side si
     return MotionPoint{x, {output.at(output.end(), Side::left).derivative[0], 0.0, 0.0, 0.0}};
 }
 
-std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks, double also) {
+std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks,
+                                   const std::vector<double>& also) {
     const double begin = motion.begin(), end = motion.end();
     const double near = same_angle * (end - begin);
     const std::vector<double> breakpoints = motion.breakpoints();
@@ -91,7 +92,7 @@ std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks, dou
     };
     for (const Extremum* peak : {&peaks.velocity, &peaks.acceleration, &peaks.jerk, &peaks.torque})
         add(peak->at);
-    add(also);
+    for (const double x : also) add(x);
     for (int i = 0; i <= uniform_steps; ++i) add(begin + (end - begin) * i / uniform_steps);
     std::vector<MotionRow> rows;
     for (const double x : angles) {
@@ -115,8 +116,12 @@ Delivered sample_delivered(const Solution& solution) {
         all.rows.push_back({row.x, row.side, motion.at(row.x, row.side), closing, {}, {}});
         all.rows.back().output = output_at(solution, row.x, row.side);
     };
-    for (const MotionRow& row :
-         motion_rows(*solution.motion, solution.cam_peaks, solution.scene.motion.own_place(0.0)))
+    std::vector<double> also = {solution.scene.motion.own_place(0.0)};
+    if (solution.output)  // whose peaks are stated too
+        for (const Extremum* peak : {&solution.motion_peaks.velocity, &solution.motion_peaks.acceleration,
+                                     &solution.motion_peaks.jerk})
+            also.push_back(peak->at);
+    for (const MotionRow& row : motion_rows(*solution.motion, solution.cam_peaks, also))
         add(*solution.motion, row, false);
     if (solution.drive) {
         const DriveAlong along(solution.scene);

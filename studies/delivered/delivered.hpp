@@ -32,8 +32,9 @@ struct MotionRow {
 };
 
 /// Rows of motion.csv: every degree of 360 over the motion, its breakpoints and the places of its peaks;
-/// twice where the jerk jumps, from the left and then from the right; and one at x = also. Ascending.
-[[nodiscard]] std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks, double also = 0.0);
+/// twice where the jerk jumps, from the left and then from the right; and one at each x of `also`. Ascending.
+[[nodiscard]] std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks,
+                                                 const std::vector<double>& also = {});
 
 struct DeliveredRow {
     double x = 0.0;

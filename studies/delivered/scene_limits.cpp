@@ -6,6 +6,7 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_family.hpp"
 #include "objectives/spring_rules.hpp"
+#include "objectives/strokes.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
@@ -91,14 +92,18 @@ void add_symmetry(std::vector<LimitOutcome>& all, const Scene& scene, const Moti
 }
 
 void add_rest(std::vector<LimitOutcome>& all, const Scene& scene, const MotionChain& motion) {
+    const std::vector<RestFigure> figures = rest_figures(scene, motion);
+    if (figures.empty()) return;
+    // One key of the scene, one outcome: of the order that is farthest from 0 for its size.
+    const RestFigure& rest = *std::ranges::max_element(
+        figures, {}, [](const RestFigure& figure) { return figure.worst / figure.size; });
     const bool of_jerk = scene.rest_order() == 3;
-    for (const RestFigure& rest : rest_figures(scene, motion))
-        all.push_back({{of_jerk ? "end_jerk" : fmt::format("rest_{}", rest.order),
-                        of_jerk ? "spline.end_jerk" : "spline.rest", 0.0, rest.worst, "", rest.at, true},
-                       rest.worst <= just_reached * rest.size,
-                       rest.worst,
-                       rest.size,
-                       true});
+    all.push_back({{of_jerk ? "end_jerk" : fmt::format("rest_{}", rest.order),
+                    of_jerk ? "spline.end_jerk" : "spline.rest", 0.0, rest.worst, "", rest.at, true},
+                   rest.worst <= just_reached * rest.size,
+                   rest.worst,
+                   rest.size,
+                   true});
 }
 
 double finite_size(double value) {
@@ -115,16 +120,11 @@ std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const Moti
     if (scene.motion.type != MotionType::program)
         return {{motion.begin(), Side::right}, {motion.end(), Side::left}};
     std::vector<std::pair<double, Side>> places;
-    const std::vector<ProgramSegment>& segments = scene.motion.segments;
-    const std::size_t count = segments.size();
-    const auto dwells = [&](std::size_t i) { return segments[i % count].kind == SegmentKind::dwell; };
-    for (std::size_t i = 0; i < count; ++i) {
-        if (segments[i].kind != SegmentKind::spline) continue;
-        const ChainPart& part = motion.parts()[i];
-        const bool open_begin = i == 0 && !scene.motion.periodic();
-        const bool open_end = i + 1 == count && !scene.motion.periodic();
-        if (open_begin || dwells(i + count - 1)) places.emplace_back(part.begin, Side::right);
-        if (open_end || dwells(i + 1)) places.emplace_back(part.end, Side::left);
+    for (int i = 0; i < static_cast<int>(scene.motion.segments.size()); ++i) {
+        if (scene.motion.segments[static_cast<std::size_t>(i)].kind != SegmentKind::spline) continue;
+        const ChainPart& part = motion.parts()[static_cast<std::size_t>(i)];
+        if (meets_rest(scene.motion, i, false)) places.emplace_back(part.begin, Side::right);
+        if (meets_rest(scene.motion, i, true)) places.emplace_back(part.end, Side::left);
     }
     return places;
 }

@@ -189,6 +189,20 @@ void require_train(const Scene& scene) {
         throw SceneError({"dynamics", "a scene without a [dynamics] table", "a scene with one"});
 }
 
+/// A polynomial on [0, 1] by powers from the left of each of equal parts: its derivatives at x = 1 by powers
+/// of x lose what the terms cancel.
+Eigen::MatrixXd in_parts(const Eigen::VectorXd& polynomial, int parts) {
+    Eigen::MatrixXd local(polynomial.size(), parts);
+    for (int i = 0; i < parts; ++i) {
+        const long double x = static_cast<long double>(i) / parts;
+        Eigen::Matrix<long double, Eigen::Dynamic, 1> own = polynomial.cast<long double>();
+        for (Eigen::Index k = 0; k < own.size(); ++k)  // synthetic division by t - x, once for each power
+            for (Eigen::Index j = own.size() - 1; j-- > k;) own[j] += x * own[j + 1];
+        local.col(i) = own.cast<double>();
+    }
+    return local;
+}
+
 /// The classical polydyne cam: the polynomial of least degree that rests to order 4 at both ends as the
 /// output's motion of every stroke. None: the output is not prescribed, or a stroke's ends are not its own.
 std::optional<MotionChain> polydyne_motion(const Solution& optimum) {
@@ -197,6 +211,10 @@ std::optional<MotionChain> polydyne_motion(const Solution& optimum) {
     if (!placed.motion) return std::nullopt;
     const Eigen::VectorXd law{{0.0, 0.0, 0.0, 0.0, 0.0, 126.0, -420.0, 540.0, -315.0, 70.0}};
     const DerivativeCombination of = cam_of_output(optimum.scene);
+    constexpr int pieces = 8;
+    std::vector<double> breakpoints;
+    for (int i = 0; i <= pieces; ++i) breakpoints.push_back(static_cast<double>(i) / pieces);
+    const Eigen::MatrixXd local = in_parts(law, pieces);
     std::vector<ChainPart> parts = placed.motion->parts();
     for (ChainPart& part : parts) {
         DerivativeCombination own = of;  // of the part's own variable
@@ -204,7 +222,7 @@ std::optional<MotionChain> polydyne_motion(const Solution& optimum) {
         own.weights[2] /= part.x_scale * part.x_scale;
         part.y0 *= of.weights[0];
         if (part.shape)
-            part.shape = std::make_shared<SplineCurve>(SplineSpace(9, 8, {0.0, 1.0}), combined(law, own));
+            part.shape = std::make_shared<SplineCurve>(SplineSpace(9, 8, breakpoints), combined(local, own));
     }
     return MotionChain(std::move(parts));
 }

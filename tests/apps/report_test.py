@@ -100,9 +100,10 @@ def check_keys(name, scene_text, report, known):
 
 
 def largest(folder, column):
-    """The first cell of the largest magnitude, with its sign; None where a cell is empty: infinite."""
+    """The first cell of the largest magnitude, with its sign; None where a cell is empty: infinite. Of the output's motion where it is
+    prescribed."""
     with open(folder / "motion.csv", newline="", encoding="utf-8") as file:
-        cells = [row[column] for row in csv.DictReader(file)]
+        cells = [row.get("output_" + column, row[column]) for row in csv.DictReader(file)]
     if "" in cells:
         return None
     values = [float(cell) for cell in cells]
