@@ -243,7 +243,8 @@ class RandomScene:
 
     def choose_limits(self):
         text = ""
-        for name, order, least in (("acceleration", 2, 5.6), ("jerk", 3, 60.0)):
+        room = 1.5 if self.degree == 7 else 1.0  # what rests to a higher order needs larger peaks
+        for name, order, least in (("acceleration", 2, 5.6 * room), ("jerk", 3, 60.0 * room)):
             sides = {"min": -round(self.numbers.uniform(least, 2 * least), 2),
                      "max": round(self.numbers.uniform(least, 2 * least), 2)}
             if self.numbers.random() < 0.2:
