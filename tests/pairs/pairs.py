@@ -142,8 +142,6 @@ REFUSED = [
     ("the acceleration jumps at", ["codesys", "twincat", "twincat7"], ["given plate", "given guide"]),
     ("the jerk jumps at", ["twincat7"], [kind for kind in KINDS if kind not in SMOOTH]),
     ("found an open one", ["STEP", "NC"], ["cam for an output on an elastic train"]),
-    ("camopt dynamics compares what laws leave", ["comparison"],
-     ["cam for an output on an elastic train", "program of an output on an elastic train"]),
     (r"found a given cam without \[objective\]", ["comparison"], ["given disk in inches"]),
 ]
 
