@@ -114,9 +114,6 @@ Scene with_written_limits(Scene scene) {
 Scene valid_scene(Scene scene) {
     scene = with_written_limits(std::move(scene));
     validate(scene);
-    if (scene.dynamics && !scene.dynamics->formulas)
-        throw SceneError(
-            {"dynamics", "a train without its formulas", "complete_dynamics(scene) before it is solved"});
     return scene;
 }
 

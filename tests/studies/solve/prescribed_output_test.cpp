@@ -167,7 +167,7 @@ TEST(PrescribedOutput, PolydyneLeavesNoVibration) {
 TEST(PrescribedOutput, NeedsTheFormulasOfItsTrain) {
     Scene scene = rise(2.0, 16);
     scene.dynamics->formulas.reset();
-    EXPECT_TRUE(says(refusal([&] { (void)solve(scene); }), "complete_dynamics(scene)"));
+    EXPECT_TRUE(says(refusal([&] { (void)solve(scene); }), "without its formulas"));
 }
 
 TEST(PrescribedOutput, HoldsCamToItsLimits) {
