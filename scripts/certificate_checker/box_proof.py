@@ -405,7 +405,7 @@ class BoxProof:
         formulas = cam.formulas_at(origin, at)
         cam.rules.of_planes = False
         if cam.direct and rule.endswith("pressure_angle_deg"):  # in m
-            formulas = [lambda z, f=f: f(z) * constant(cam.rules.reach()) for f in formulas]
+            formulas = [lambda z, f=f: f(z) * cam.rules.reach() for f in formulas]
         return formulas, [self.place["dimension", name] for name in cam.rules.searched]
 
     def box_of_plane(self, step, index, states, parameters):

@@ -356,8 +356,8 @@ class Cam:
         lines = self.forces.lines(*whole) if self.forces and key in LOADED else [(*whole, Fraction(0), Fraction(0))]
         for (begin, end, load, slope), formula in itertools.product(lines, formulas):
             def room(numbers, load=load, slope=slope, formula=formula):
-                x = constant(place) + constant(scale) * numbers[0]
-                self.as_found.load = constant(load) + constant(slope) * x
+                x = place + scale * numbers[0]
+                self.as_found.load = load + slope * x
                 state = motion(numbers[0]) + numbers[1:]
                 return -(formula(state, x) if moves else formula(state))
             if enclosures.least(room, [enclosures.interval((begin - place) / scale, (end - place) / scale), *more], 0) is None:

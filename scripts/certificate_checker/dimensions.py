@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Dimensions of a cam: numbers, or ranges that are searched, which count in parts of their largest magnitude."""
-from .enclosures import Over, interval
+from .enclosures import Jet, interval
 from .units import enclosed
 
 
@@ -35,16 +35,16 @@ class Dimensions:
         self.searched = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}
         self.largest = {name: enclosed((largest_of(size) if name in self.searched else size, self.units[name]))
                         for name, size in self.sizes.items()}
-        self.chosen = {name: Over(interval(*parts_of(ends))) for name, ends in self.searched.items()}  # all of each range
+        self.chosen = {name: Jet(interval(*parts_of(ends))) for name, ends in self.searched.items()}  # all of each range
 
     def choose_middle(self):
         """The middle of each range."""
-        self.chosen = {name: Over.number(middle_size(parts_of(ends))) for name, ends in self.searched.items()}
+        self.chosen = {name: Jet.number(middle_size(parts_of(ends))) for name, ends in self.searched.items()}
 
     def choose(self, numbers):
         """The dimensions of a state of the motion."""
         self.chosen = dict(zip(self.searched, numbers[4:]))
 
     def size(self, name):
-        size = Over.number(*self.largest[name])
+        size = Jet.number(*self.largest[name])
         return size * self.chosen[name] if name in self.searched else size

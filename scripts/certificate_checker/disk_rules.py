@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 """The limits of disk cams as formulas of one cam angle: below 0, or at 0, is kept.
 
-A formula takes y, y', y'' and the dimensions that are searched as `Over` and gives the rule, or the rule times what is
+A formula takes y, y', y'' and the dimensions that are searched as `Jet` and gives the rule, or the rule times what is
 above 0: so the planes of a bound over boxes are compared with it, and the delivered motion is judged where nothing else
 does. With N and D the two parts of the speed of the roller's centre in the cam's frame, tan(pressure angle) = N / D,
 v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
 """
 
 from .dimensions import largest_of, middle_size
-from .enclosures import Over
+from .enclosures import Jet
 from .exact import PI, exactly, middle_of, number, tangent, times
 from .forces import Forces
 from .laws import constant
@@ -39,7 +39,7 @@ def carried_at(most, problem, given):
     own = Forces(problem, problem.scene)
     swing = own.mass * problem.turns_per_second()**2 * own.lift
     unit = middle_of((max(own.preload, (swing + own.largest_load()) / 100, Fraction(1, 1000)),) * 2)[0]
-    return unit, Over.number(*times(PI, exactly(compliance * number(given["contact_width_m"]) * most**2 / unit)))
+    return unit, Jet.number(*times(PI, exactly(compliance * number(given["contact_width_m"]) * most**2 / unit)))
 
 
 class DiskRules:
@@ -70,13 +70,13 @@ class DiskRules:
 
     def states(self, numbers):
         """s, s', s'' from y, y', y'': each is lift / unit angle^order times it."""
-        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
+        lift, inverse = Jet.number(*self.lift), Jet.number(*self.beta).inverse()
         lift = -lift if self.side.turn else lift
         return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
 
     def sizes(self, numbers):
         """The dimensions; those searched stand behind y''' in parts of their largest magnitude."""
-        searched = {name: numbers[4 + k] * constant(largest_of(self.dimensions[name])) for k, name in enumerate(self.searched)}
+        searched = {name: numbers[4 + k] * largest_of(self.dimensions[name]) for k, name in enumerate(self.searched)}
         return {name: searched.get(name) or constant(size) for name, size in self.dimensions.items()}
 
     def pitch(self, numbers):
@@ -89,15 +89,15 @@ class DiskRules:
             offset = size["offset"]
             start = self.start(prime, offset)
             if second:
-                start, offset = Over.number(*second) - start, size["second_offset"]
+                start, offset = Jet.number(*second) - start, size["second_offset"]
             return slope - offset * sense, start + s, slope, constant(1), bend
         distance, arm = size["center_distance"], size["arm_length"]
-        start = (distance.square() + arm.square() - prime.square()) * (constant(2) * distance * arm).inverse()
-        rest = (constant(1) - start.square()).root(), start
+        start = (distance.square() + arm.square() - prime.square()) * (2 * distance * arm).inverse()
+        rest = (1 - start.square()).root(), start
         if second:
-            rest, arm = self.turned(-rest[0], rest[1], Over.number(*second)), size["second_arm_length"]
+            rest, arm = self.turned(-rest[0], rest[1], Jet.number(*second)), size["second_arm_length"]
         sine, cosine = self.turned(*rest, s)
-        turning = constant(1) + slope * sense
+        turning = 1 + slope * sense
         end = arm * turning
         return end - distance * cosine, distance * sine, end * slope * sense, arm, bend
 
@@ -120,7 +120,7 @@ class DiskRules:
 
     def surface(self, numbers):
         """From the roller's centre to the cam's surface."""
-        return self.own_roller(numbers) + constant(self.side.wider)
+        return self.own_roller(numbers) + self.side.wider
 
     def excess(self, numbers, factor, share):
         """factor * curvature of the side - share, times v^3 / (D lever)."""
@@ -128,7 +128,7 @@ class DiskRules:
         square = across.square() + along.square()
         inverse = (along * lever).inverse()
         still = (square + drift * across) * inverse - bend
-        return constant(self.side.flank) * factor * still - (share + self.room) * (square * square.root() * inverse)
+        return self.side.flank * factor * still - (share + self.room) * (square * square.root() * inverse)
 
     def curvature(self, numbers):
         """Of the side, and v."""
@@ -136,7 +136,7 @@ class DiskRules:
         square = across.square() + along.square()
         speed = square.root()
         curvature = (square + drift * across - along * lever * bend) * (square * speed).inverse()
-        return constant(self.side.flank) * curvature, speed
+        return self.side.flank * curvature, speed
 
     def face(self, numbers):
         """Of a flat face on an arm: turning, D, and the cam's radius times turning."""
@@ -144,9 +144,9 @@ class DiskRules:
         size = self.sizes(numbers)
         distance, offset = size["center_distance"], size["face_offset"]
         start = (size["base_radius"] + offset) * distance.inverse()
-        sine, cosine = self.turned(start, (constant(1) - start.square()).root(), s)
-        slope = slope * constant(self.sense)
-        turning = constant(1) + slope
+        sine, cosine = self.turned(start, (1 - start.square()).root(), s)
+        slope = slope * self.sense
+        turning = 1 + slope
         inverse, along = turning.inverse(), distance * cosine
         radius = (distance * sine * (slope + turning) + along * bend * inverse) * inverse - offset * turning
         return turning, along, radius
@@ -206,8 +206,8 @@ class DiskRules:
         """sign N cos - D sin, in parts of the reach. The upper side is that of the rise; an arm that rises with a clockwise
         cam, and the mirror of a second roller that is pushed, have it below."""
         steep = tangent(limit)
-        cosine = (constant(1) + Over.number(*steep).square()).root().inverse()
-        sine, inverse = cosine * Over.number(*steep), constant(1 / self.reach())
+        cosine = (1 + Jet.number(*steep).square()).root().inverse()
+        sine, inverse = cosine * Jet.number(*steep), constant(1 / self.reach())
 
         def rule(numbers):
             if self.follower == "oscillating_flat":
@@ -215,7 +215,7 @@ class DiskRules:
                 across = self.sizes(numbers)["face_offset"] * turning
             else:
                 across, along = self.pitch(numbers)[:2]
-            return (across * cosine * constant(sign) - along * sine) * inverse - self.room
+            return (across * cosine * sign - along * sine) * inverse - self.room
         return rule
 
     def convex_radius(self, least):
@@ -225,34 +225,34 @@ class DiskRules:
 
             def rule(numbers):
                 turning, _, radius = self.face(numbers)
-                return (constant(least) - radius * turning.inverse()) * inverse - self.room
+                return (least - radius * turning.inverse()) * inverse - self.room
             return rule
         if self.follower == "translating_flat":
             inverse = constant(1 / self.reach())
 
             def flat(numbers):
                 s, _, bend = self.states(numbers)
-                return (constant(least) - self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
+                return (least - self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
             return flat
-        return lambda numbers: self.excess(numbers, self.surface(numbers) + constant(least), constant(1))
+        return lambda numbers: self.excess(numbers, self.surface(numbers) + least, constant(1))
 
     def concave_radius(self, least):
         """(roller - least) curvature <= 1: where the pitch curve bends the other way, it bends by no less than least."""
         if not self.roller and self.follower != "translating_knife":
             return None
-        return lambda numbers: self.excess(numbers, self.surface(numbers) - constant(least), constant(1))
+        return lambda numbers: self.excess(numbers, self.surface(numbers) - least, constant(1))
 
     def margin(self, least):
         """1 - roller curvature >= least; of a flat face its radius in parts of the base radius, which is linear where it slides."""
         if self.follower == "oscillating_flat":
-            return lambda numbers: constant(least) - self.face(numbers)[2] * self.sizes(numbers)["base_radius"].inverse() - self.room
+            return lambda numbers: least - self.face(numbers)[2] * self.sizes(numbers)["base_radius"].inverse() - self.room
         if self.follower == "translating_flat":
             least -= 1
             inverse = constant(1 / self.reach())
 
             def flat(numbers):
                 s, _, bend = self.states(numbers)
-                return (constant(least) * self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
+                return (least * self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
             return flat
         if not self.roller:
             return None
@@ -261,8 +261,8 @@ class DiskRules:
     def height(self):
         inverse = constant(1 / self.reach())
         if self.follower == "oscillating_flat":
-            return lambda numbers: constant(TOUCHES) - self.face(numbers)[1] * inverse
-        return lambda numbers: constant(TOUCHES) - self.pitch(numbers)[1] * inverse
+            return lambda numbers: TOUCHES - self.face(numbers)[1] * inverse
+        return lambda numbers: TOUCHES - self.pitch(numbers)[1] * inverse
 
     def force(self, numbers, corner):
         """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment, at that angle."""
@@ -270,19 +270,19 @@ class DiskRules:
         sizes = self.sizes(numbers)
         preload, rate = (sizes.get(name) or constant(number) for name, number in
                          (("forces.preload", own.preload), ("forces.spring_rate", own.rate)))
-        return numbers[2] * constant(own.mass * square * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
-            rate * numbers[0] * constant(own.lift) + preload + self.load
+        return numbers[2] * (own.mass * square * own.lift) + numbers[1] * (own.damping * speed * own.lift) + \
+            rate * numbers[0] * own.lift + preload + self.load
 
     def contact(self, corner):
         """F >= least."""
         forces = Forces(self.problem, self.problem.scene)
         inverse = constant(1 / forces.unit(self.problem))
-        return lambda numbers: (constant(forces.least) - self.force(numbers, corner)) * inverse - self.room
+        return lambda numbers: (forces.least - self.force(numbers, corner)) * inverse - self.room
 
     def largest_force(self, corner):
         """F <= most on the side that it presses on."""
         most = number(self.limits["contact_force_max_n"])
-        return lambda numbers: self.force(numbers, corner) * constant(self.side.pressed / most) - constant(1) - self.room
+        return lambda numbers: self.force(numbers, corner) * (self.side.pressed / most) - 1 - self.room
 
     def hertz(self, most, corner):
         """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller
@@ -298,22 +298,22 @@ class DiskRules:
             else:
                 s, _, bend = self.states(numbers)
                 radius, lever = self.sizes(numbers)["base_radius"] + s + bend, constant(1)
-            return self.force(numbers, corner) * constant(1 / unit) - carried * radius * lever - self.room
+            return self.force(numbers, corner) * (1 / unit) - carried * radius * lever - self.room
 
         def rule(numbers):
             curvature, speed = self.curvature(numbers)
             along, _, arm = self.pitch(numbers)[1:4]
-            radius = (constant(1) - self.surface(numbers) * curvature) * self.own_roller(numbers)
-            press = self.force(numbers, corner) * constant(self.side.pressed / unit)
+            radius = (1 - self.surface(numbers) * curvature) * self.own_roller(numbers)
+            press = self.force(numbers, corner) * (self.side.pressed / unit)
             if self.side.wider:
-                press = press * (constant(1) - constant(self.side.wider) * curvature)
+                press = press * (1 - self.side.wider * curvature)
             return press - carried * radius * arm * along * speed.inverse() - self.room
         return rule if self.roller else flat
 
     def torque(self, sign, corner):
         """sign F s' / most - 1."""
         most = number(self.limits["torque_max_nm"])
-        return lambda numbers: self.force(numbers, corner) * self.states(numbers)[1] * constant(sign / most) - constant(1) - self.room
+        return lambda numbers: self.force(numbers, corner) * self.states(numbers)[1] * (sign / most) - 1 - self.room
 
 
 class TwoSides:

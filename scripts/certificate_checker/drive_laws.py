@@ -29,8 +29,8 @@ def largest_along(span, drive, formula, sign):
     def along(motion):
         def value(v):
             _, slope, bend = motion(v)
-            torque = constant(drive.acceleration) * bend + constant(drive.velocity) * slope + constant(span.constant)
-            return constant(sign) * formula(Formula(torque), Formula(constant(drive.speed) * slope)).own
+            torque = drive.acceleration * bend + drive.velocity * slope + span.constant
+            return sign * formula(Formula(torque), Formula(drive.speed * slope)).own
         return value
 
     pieces = [(width, along(motion)) for width, motion in motion_along(span.stretch, 3)]

@@ -153,7 +153,7 @@ class MotorRows:
         return functions, constant, square
 
     def product_along(self, span, curve):
-        """The same integrals along a law between displacements that are free: ((constant, square), function of these, rounding). Over
+        """The same integrals along a law between displacements that are free: ((constant, square), function of these, rounding). Jet
         a law that moves y by h the torque is h g + c, with Q and R the integrals of g^2 and g:
 
             h_y (h_z Q + c R) + h_z c R + c^2 length."""

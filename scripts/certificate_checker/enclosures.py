@@ -10,6 +10,7 @@ from .rational import Fraction
 
 BITS = 128
 ONE = 1 << BITS
+ZERO = (0, 0)
 GUARD = 32       # more bits for series, whose rounding is then below the last bit that is kept
 MOST_PARTS = 20000
 NARROW = ONE >> 10  # a box in which a formula must have a value
@@ -110,71 +111,139 @@ def exponential(a):
     return ends[0][0], ends[1][1]
 
 
-class Over:
-    """A formula over a box: the interval of its values and, by variable, that of its slopes."""
+def negative(a):
+    return -a[1], -a[0]
 
-    __slots__ = ("value", "slopes")
 
-    def __init__(self, value, slopes=None):
-        self.value, self.slopes = value, slopes or {}
+def squared(a):
+    low, high = a[0] * a[0], a[1] * a[1]
+    return (0 if a[0] <= 0 <= a[1] else min(low, high)) >> BITS, -(-max(low, high) >> BITS)
+
+
+def halved(a):
+    return a[0] >> 1, -(-a[1] >> 1)
+
+
+def product_rule(value, derivatives, other, others):
+    """value * others + other * derivatives, by variable."""
+    found = {i: multiplied(own, other) for i, own in derivatives.items()}
+    for i, own in others.items():
+        own = multiplied(own, value)
+        found[i] = added(found[i], own) if i in found else own
+    return found
+
+
+def summed(derivatives, others):
+    if not others:
+        return derivatives
+    found = dict(derivatives)
+    for i, own in others.items():
+        found[i] = added(found[i], own) if i in found else own
+    return found
+
+
+class Jet:
+    """A function over a box: enclosures of its value, by variable of its slopes and, of variables that are followed to the second order,
+    of half its second derivative (`bends`). Jet a single place these are Taylor's coefficients there; over an interval of one variable
+    the last one bounds the remainder:  f(m + t) is in f(m) + f'(m) t + [f''/2] t^2.  Plain numbers are taken as constants."""
+
+    __slots__ = ("value", "slopes", "bends")
+
+    def __init__(self, value, slopes=None, bends=None):
+        self.value, self.slopes, self.bends = value, slopes or {}, bends or {}
 
     @staticmethod
     def number(low, high=None):
-        return Over(interval(low, high))
+        """A constant that is known, or enclosed."""
+        return Jet(interval(low, high))
+
+    @staticmethod
+    def along(value, slope, bend=ZERO):
+        """A function of one variable, followed to the second order."""
+        return Jet(value, {0: slope}, {0: bend})
+
+    @property
+    def c(self):
+        """Value, slope and bend of a function of one variable."""
+        return self.value, self.slopes.get(0, ZERO), self.bends.get(0, ZERO)
 
     def __add__(self, other):
-        slopes = dict(self.slopes)
-        for i, slope in other.slopes.items():
-            slopes[i] = added(slopes[i], slope) if i in slopes else slope
-        return Over(added(self.value, other.value), slopes)
+        if other.__class__ is not Jet:
+            other = Jet(interval(other))
+        return Jet(added(self.value, other.value), summed(self.slopes, other.slopes), summed(self.bends, other.bends))
+
+    __radd__ = __add__
 
     def __neg__(self):
-        return Over((-self.value[1], -self.value[0]), {i: (-s[1], -s[0]) for i, s in self.slopes.items()})
+        return Jet(negative(self.value), {i: negative(s) for i, s in self.slopes.items()}, {i: negative(b) for i, b in self.bends.items()})
 
     def __sub__(self, other):
         return self + -other
 
-    def __mul__(self, other):
-        slopes = {i: multiplied(slope, other.value) for i, slope in self.slopes.items()}
-        for i, slope in other.slopes.items():
-            own = multiplied(slope, self.value)
-            slopes[i] = added(slopes[i], own) if i in slopes else own
-        return Over(multiplied(self.value, other.value), slopes)
+    def __rsub__(self, other):
+        return -self + other
 
-    def through(self, value, slope):
-        """A function of this, which has such values and such a slope."""
-        return Over(value, {i: multiplied(slope, own) for i, own in self.slopes.items()})
+    def __mul__(self, other):
+        if other.__class__ is not Jet:
+            other = Jet(interval(other))
+        a, b = self.value, other.value
+        slopes, bends = product_rule(a, self.slopes, b, other.slopes), None
+        if self.bends or other.bends:
+            bends = product_rule(a, self.bends, b, other.bends)
+            for i in bends:
+                if i in self.slopes and i in other.slopes:
+                    bends[i] = added(bends[i], multiplied(self.slopes[i], other.slopes[i]))
+        return Jet(multiplied(a, b), slopes, bends)
+
+    __rmul__ = __mul__
+
+    def scaled(self, factor):
+        """Times a constant that is enclosed."""
+        return self * Jet(factor)
+
+    def through(self, value, slope, bend=None):
+        """A function of this, which has such values, such a slope and half such a second derivative."""
+        bends = {i: added(multiplied(slope, own), multiplied(bend, squared(self.slopes[i]))) for i, own in self.bends.items()}
+        return Jet(value, {i: multiplied(slope, own) for i, own in self.slopes.items()}, bends)
+
+    def after(self, inner):
+        """This function, of one variable, of what another one gives."""
+        return inner.through(*self.c)
 
     def square(self):
         a, b = self.value
-        least = 0 if a <= 0 <= b else min(a * a, b * b) >> BITS
-        return self.through((least, -(-max(a * a, b * b) >> BITS)), (2 * a, 2 * b))
+        return self.through(squared(self.value), (2 * a, 2 * b), (ONE, ONE))
 
     def inverse(self):
+        """Of what is above 0."""
         value = inverted(self.value)
         square = multiplied(value, value)
-        return self.through(value, (-square[1], -square[0]))
+        return self.through(value, negative(square), multiplied(square, value) if self.bends else None)
 
     def root(self):
+        """Of what is above 0."""
         value = rooted(self.value)
-        return self.through(value, inverted((2 * value[0], 2 * value[1])) if self.slopes else (0, 0))
+        if not self.slopes:
+            return Jet(value)
+        slope = inverted((2 * value[0], 2 * value[1]))
+        return self.through(value, slope, negative(multiplied(slope, squared(slope))) if self.bends else None)
 
     def exponential(self):
         value = exponential(self.value)
-        return self.through(value, value)
+        return self.through(value, value, halved(value))
 
     def sine_and_cosine(self):
         sine, cosine = sine_and_cosine(self.value)
-        return self.through(sine, cosine), self.through(cosine, (-sine[1], -sine[0]))
+        return self.through(sine, cosine, negative(halved(sine))), self.through(cosine, negative(sine), negative(halved(cosine)))
 
 
 def over_box(formula, box):
     """The formula with a variable for each interval that is one."""
-    return formula([Over(ends, {i: (ONE, ONE)} if ends[0] < ends[1] else None) for i, ends in enumerate(box)])
+    return formula([Jet(ends, {i: (ONE, ONE)} if ends[0] < ends[1] else None) for i, ends in enumerate(box)])
 
 
 def at_place(formula, place):
-    return formula([Over((x, x)) for x in place])
+    return formula([Jet((x, x)) for x in place])
 
 
 class Complex:
@@ -212,7 +281,7 @@ class Complex:
 
 def tangent_at(formula, place):
     """The formula at a place, with its slopes there."""
-    return formula([Over((x, x), {i: (ONE, ONE)}) for i, x in enumerate(place)])
+    return formula([Jet((x, x), {i: (ONE, ONE)}) for i, x in enumerate(place)])
 
 
 def least(formula, box, enough):
@@ -233,7 +302,7 @@ def least(formula, box, enough):
             worst = max(range(len(part)), key=lambda i: part[i][1] - part[i][0])
             if part[worst][1] - part[worst][0] < NARROW:
                 raise
-            stack += halved(part, worst)
+            stack += divided_box(part, worst)
             continue
         while True:
             side = [(a, a) if i in found.slopes and found.slopes[i][0] >= 0 else
@@ -256,10 +325,10 @@ def least(formula, box, enough):
         worst = max(fall, key=fall.get)
         if part[worst][1] - part[worst][0] < 4:
             raise Unverified("a plane that comes too near to its rule")
-        stack += halved(part, worst)
+        stack += divided_box(part, worst)
     return lowest
 
 
-def halved(box, i):
+def divided_box(box, i):
     half = sum(box[i]) // 2
     return [box[:i] + [ends] + box[i + 1:] for ends in ((box[i][0], half), (half, box[i][1]))]

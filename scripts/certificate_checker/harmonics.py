@@ -5,7 +5,7 @@ With y in lifts, b = rad of a unit of x and w = k b the amplitude of harmonic k 
 parts that is, of polynomials, a sum over the ends of their pieces. Other laws are not known here.
 """
 
-from .enclosures import Complex, Over, fraction
+from .enclosures import Complex, Jet, fraction
 from .exact import KEPT, PI, Refuted, Unverified, derivative, number, root, times, value_at
 from .laws import constant, polynomial_of
 from .phase_rows import Amplitude
@@ -31,7 +31,7 @@ class Harmonics:
         """exp(i w x)."""
         part = order * x * self.unit / 360
         part -= round(part)
-        sine, cosine = Over.number(*times(PI, (2 * part, 2 * part))).sine_and_cosine()
+        sine, cosine = Jet.number(*times(PI, (2 * part, 2 * part))).sine_and_cosine()
         return Complex(cosine, sine)
 
     def along(self, polynomial, begin, end, powers, ends):
@@ -48,7 +48,7 @@ class Harmonics:
     def amplitude(self, order):
         if order in self.memory:
             return self.memory[order]
-        problem, wave = self.problem, Over.number(*times(PI, (order * self.unit / 180,) * 2))
+        problem, wave = self.problem, Jet.number(*times(PI, (order * self.unit / 180,) * 2))
         inverse = Complex(constant(0), -wave.inverse())  # 1 / (i w)
         powers = [inverse]
         for _ in range(problem.degree + 8):

@@ -17,7 +17,7 @@ by L: psi' = -theta'/L', psi'' = -(theta'' + psi' L'') / L'^2. Its walls are reg
 from .dimensions import Dimensions
 from .disk_rules import DiskRules
 from .laws import constant
-from .enclosures import Over
+from .enclosures import Jet
 from .exact import exactly, number, tangent
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of
 from .rational import Fraction
@@ -58,7 +58,7 @@ class InverseRules(Dimensions):
         """P, r, e, tan phi and cos^2 phi at a displacement of the feeder."""
         pivot = self.pivot()
         rise = divided(s + self.size("feeder_start") - pivot[1], self.size("feeder_offset"))
-        square = (constant(1) + rise.square()).inverse()
+        square = (1 + rise.square()).inverse()
         cosine = square.root() * self.side
         e = cosine, cosine * rise
         foot = dot(pivot, e)
@@ -75,7 +75,7 @@ class InverseRules(Dimensions):
         ratio = divided(reach * per_slope, along)
         turning = per_slope * slope
         rate = ratio * slope
-        still = divided(-constant(2) * reach * turning.square() * rise - constant(2) * rate * turning * beside +
+        still = divided(-2 * reach * turning.square() * rise - 2 * rate * turning * beside +
                         rate.square() * beside, along)
         return ratio, rate, still
 
@@ -83,13 +83,13 @@ class InverseRules(Dimensions):
         """L, L', L'' by the cam angle, at a place in rises."""
         inverse, length = self.size("roller_angle").inverse(), self.size("roller_end") - self.size("roller_rest")
         begin = ((self.size("roller_from") - self.size("roller_rest")) * length.inverse()).root()
-        part = begin + x * Over.number(*self.beta) * inverse  # of the stroke
-        return self.size("roller_rest") + length * part.square(), constant(2) * length * part * inverse, \
-            constant(2) * length * inverse.square()
+        part = begin + x * Jet.number(*self.beta) * inverse  # of the stroke
+        return self.size("roller_rest") + length * part.square(), 2 * length * part * inverse, \
+            2 * length * inverse.square()
 
     def state(self, numbers):
         self.choose(numbers)
-        inverse, lift = Over.number(*self.beta).inverse(), Over.number(*self.lift)
+        inverse, lift = Jet.number(*self.beta).inverse(), Jet.number(*self.lift)
         return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse.square()
 
     # -- the rules
@@ -121,14 +121,14 @@ class InverseRules(Dimensions):
 
     def pressure(self, limit, sign):
         """sign (-L theta') cos(limit) <= L' sin(limit), over cos(limit) L |dtheta/ds|: linear in the feeder's velocity."""
-        steep = Over.number(*tangent(limit))
+        steep = Jet.number(*tangent(limit))
 
         def rule(numbers, x):
             s, slope, _ = self.state(numbers)
             distance, speed, _ = self.roller(x)
             ratio = self.body(s, slope)[0]
             turns = sign_of(ratio)
-            return -constant(sign) * turns * slope - divided(steep * speed, turns * distance * ratio) - self.room
+            return -sign * turns * slope - divided(steep * speed, turns * distance * ratio) - self.room
         return rule
 
     def margin(self, least, side):
@@ -139,11 +139,11 @@ class InverseRules(Dimensions):
             ratio, rate, still = self.body(s, slope)
             guide = -rate * speed.inverse()
             steep = distance * guide
-            secant = constant(1) + steep.square()
+            secant = 1 + steep.square()
             bend = -(still + guide * forth) * speed.square().inverse()
-            top = distance * bend + guide * (constant(2) + steep.square())
-            room = constant(side) * top + (constant(least - 1) - self.room) * secant * secant.root() * \
+            top = distance * bend + guide * (2 + steep.square())
+            room = side * top + ((least - 1) - self.room) * secant * secant.root() * \
                 self.size("roller_radius").inverse()
             turns = sign_of(ratio)
-            return divided(room * speed.square(), turns * distance * ratio) - constant(side) * turns * acceleration
+            return divided(room * speed.square(), turns * distance * ratio) - side * turns * acceleration
         return rule

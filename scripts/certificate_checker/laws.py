@@ -12,7 +12,7 @@ an acceleration that is not given the one that makes the highest coefficient van
 import functools
 
 from . import enclosures
-from .enclosures import Over, ends_of
+from .enclosures import Jet, ends_of
 from .exact import ORDERS, PI_ITSELF, PI, Unverified, derivative, integral, middle_of, product, root, shifted
 from .rational import Fraction
 
@@ -77,7 +77,7 @@ def turns_back(name):
 
 
 def constant(value):
-    return Over.number(Fraction(value))
+    return Jet.number(Fraction(value))
 
 
 # -- pieces of f'': (width, a number, [(half turns of the argument, factor of the sine, of the cosine)])
@@ -268,11 +268,11 @@ def polynomial_between(begin, end):
 @functools.cache
 def harmonic(law):
     """Pieces (width, a, [(w, b, c)], [f, f'] at its beginning) of f'' = a + sum of b sin w v + c cos w v, v from there."""
-    size, pi = None, Over.number(*PI)
+    size, pi = None, Jet.number(*PI)
     for _ in range(2):  # the second time with f(1) = 1
         found, begin = [], [constant(0), constant(0)]
         for width, a, waves in shape_of(law):
-            own = (width, constant(a), [(pi * constant(h / width), constant(s), constant(c)) for h, s, c in waves])
+            own = (width, constant(a), [(pi * (h / width), constant(s), constant(c)) for h, s, c in waves])
             if size:
                 own = (width, own[1] * size, [(w, s * size, c * size) for w, s, c in own[2]])
             found.append((*own, begin))
@@ -286,10 +286,10 @@ def along(_, a, waves, begin):
     inverses = [w.inverse() for w, _, _ in waves]
 
     def piece(v):
-        found = [begin[0] + begin[1] * v + a * v.square() * constant(Fraction(1, 2)), begin[1] + a * v, a, constant(0)]
+        found = [begin[0] + begin[1] * v + a * v.square() * Fraction(1, 2), begin[1] + a * v, a, constant(0)]
         for (w, b, c), inverse in zip(waves, inverses):
             sine, cosine = (w * v).sine_and_cosine()
-            rest = constant(1) - cosine
+            rest = 1 - cosine
             parts = (b * (v - sine * inverse) + c * inverse * rest) * inverse, (b * rest + c * sine) * inverse, b * sine + c * cosine, \
                 (b * cosine - c * sine) * w
             found = [f + part for f, part in zip(found, parts)]
@@ -330,8 +330,8 @@ def motion_along(stretch, orders=3):
 
     def scaled(piece):
         def states(v):
-            found = [constant(rise / length**order) * f for order, f in enumerate(piece(v)[:orders])]
-            return [constant(stretch.start) + found[0]] + found[1:]
+            found = [(rise / length**order) * f for order, f in enumerate(piece(v)[:orders])]
+            return [stretch.start + found[0]] + found[1:]
         return states
 
     return [(width, scaled(piece)) for width, piece in pieces_of(stretch.law)]
@@ -357,7 +357,7 @@ def largest_value(pieces, what):
         low = max(low, refined(value, width * max(0, i - 1) / PLACES, width * min(PLACES, i + 1) / PLACES))
     high = low + size * CLOSE
     for width, value in pieces:
-        if enclosures.least(lambda numbers, value=value: constant(high) - value(numbers[0]),
+        if enclosures.least(lambda numbers, value=value: high - value(numbers[0]),
                             [enclosures.interval(Fraction(0), width)], 0) is None:
             raise Unverified(f"the largest {what} along a law")
     return low, high
@@ -406,13 +406,13 @@ def square_integral(law, order):
 def square_of(line, waves, x):
     """The integral over 0 <= v <= x of (line[0] + line[1] v + sum of s sin w v + c cos w v)^2."""
     two, half = constant(2), constant(Fraction(1, 2))
-    total = line[0].square() * x + line[0] * line[1] * x.square() + line[1].square() * x * x.square() * constant(Fraction(1, 3))
+    total = line[0].square() * x + line[0] * line[1] * x.square() + line[1].square() * x * x.square() * Fraction(1, 3)
 
     def of_wave(w):
         """Integrals of sin, cos, v sin, v cos."""
         sine, cosine = (w * x).sine_and_cosine()
         inverse = w.inverse()
-        s, c = (constant(1) - cosine) * inverse, sine * inverse
+        s, c = (1 - cosine) * inverse, sine * inverse
         return s, c, (c - x * cosine) * inverse, (x * sine - s) * inverse
 
     for i, (w, s, c) in enumerate(waves):
@@ -437,11 +437,11 @@ def mean_of(law):
     total = constant(0)
     for width, a, waves, begin in harmonic(law):
         x, half = constant(width), constant(Fraction(1, 2))
-        total = total + begin[0] * x + begin[1] * x.square() * half + a * x * x.square() * constant(Fraction(1, 6))
+        total = total + begin[0] * x + begin[1] * x.square() * half + a * x * x.square() * Fraction(1, 6)
         for w, b, c in waves:
             sine, cosine = (w * x).sine_and_cosine()
             inverse = w.inverse()
-            total = total + (b * (x.square() * half - (constant(1) - cosine) * inverse.square()) +
+            total = total + (b * (x.square() * half - (1 - cosine) * inverse.square()) +
                              c * inverse * (x - sine * inverse)) * inverse
     return middle_of(ends_of(total))[0]
 
@@ -458,6 +458,6 @@ def law_peak(law, name):
     def value(piece, sign):
         def at(v):
             found = piece(v)
-            return constant(sign) * (found[1] * found[2] if name == "torque" else found[ORDERS[name]])
+            return sign * (found[1] * found[2] if name == "torque" else found[ORDERS[name]])
         return at
     return largest_value([(width, value(piece, sign)) for width, piece in pieces_of(law) for sign in (1, -1)], name)

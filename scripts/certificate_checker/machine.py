@@ -194,15 +194,15 @@ def y_along(axis, curve, angle, width):
         return combination((1, [stretch.start]), (rise, [c * wide**m for m, c in enumerate(moved)]))
     parts = parts_along(stretch, 1)
     begin, _, motion = next((part for part in parts if at < part[1]), parts[-1])
-    return lambda u: motion(constant(at - wide / 2 - begin) + constant(wide) * u)[0]
+    return lambda u: motion((at - wide / 2 - begin) + wide * u)[0]
 
 
 def stays_below(polynomial, formulas, most):
     """Whether a polynomial of u in [0, 1] and formulas of it, each with its factor, are nowhere above `most` together."""
     if formulas:
         def room(numbers):
-            own = [constant(size) * formula(numbers[0]) for size, formula in formulas]
-            return constant(most) - sum(own, at_time([constant(c) for c in polynomial], numbers[0]))
+            own = [size * formula(numbers[0]) for size, formula in formulas]
+            return most - sum(own, at_time([constant(c) for c in polynomial], numbers[0]))
         return enclosures.least(room, [enclosures.interval(Fraction(0), Fraction(1))], 0) is not None
     return largest([(polynomial, Fraction(1))])[1] <= most
 

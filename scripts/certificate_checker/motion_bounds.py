@@ -120,7 +120,7 @@ def keeps(stretch, order, sign, most, begin, end):
         low, high = max((begin - stretch.begin) / length, at), min((end - stretch.begin) / length, until)
         if low <= high:
             def room(numbers, motion=motion):
-                return constant(most) - constant(sign) * motion(numbers[0])[order]
+                return most - sign * motion(numbers[0])[order]
             if enclosures.least(room, [enclosures.interval(low - at, high - at)], 0) is None:
                 return False
     return True

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
 
-from .enclosures import Over, ends_of
+from .enclosures import Jet, ends_of
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, number, root, tangent
 from .laws import constant, jumps, law_peak, parts_along, turns_back
 from .rational import Fraction
@@ -76,7 +76,7 @@ def value_beside(problem, at, side, order):
 
 def rest_of(problem, stretch, at):
     """The same where a spline starts or ends at rest, or at the top of a rise and return; what is not known is any number."""
-    run, unknown = next(run for run in problem.runs if stretch in run.stretches), Over.number(-UNKNOWN, UNKNOWN)
+    run, unknown = next(run for run in problem.runs if stretch in run.stretches), Jet.number(-UNKNOWN, UNKNOWN)
     if problem.type == "RR" and abs(at - 1) <= SAME_PLACE:
         return [constant(1), constant(0), unknown, unknown]
     for place in (0, 1):
@@ -132,7 +132,7 @@ def passes(problem, rule, at, side):
     if problem.cam and rule.startswith("cam.face_") and problem.cam.width:
         own += [(1, sign, problem.cam.width[1] * problem.cam.beta[1] / problem.cam.lift) for sign in (1, -1)]
     if own:
-        return any(ends_of(constant(sign) * state[order])[0] > most for order, sign, most in own)
+        return any(ends_of(sign * state[order])[0] > most for order, sign, most in own)
     if problem.cam is None or problem.cam.rules is None or not problem.cam.judged:
         raise Unverified(f"{rule} along a law")
     found = [] if problem.cam.searched else problem.cam.formulas_along(rule.removeprefix("limits."))

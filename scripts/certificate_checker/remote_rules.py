@@ -24,7 +24,7 @@ The contact point, fixed to the lever, moves across l u - r normal instead, whic
 from .dimensions import Dimensions, middle_size
 from .disk_rules import DiskRules
 from .laws import constant
-from .enclosures import Over
+from .enclosures import Jet
 from .exact import number, root, tangent, times
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
 from .rational import Fraction
@@ -88,7 +88,7 @@ class RemoteRules(Dimensions):
         joint, first, second = far
         v = minus(joint, pivot)
         inverse = dot(v, v).inverse()
-        p = (dot(v, v) + arm.square() - coupler.square()) * inverse * constant(Fraction(1, 2))
+        p = (dot(v, v) + arm.square() - coupler.square()) * inverse * Fraction(1, 2)
         q = (arm.square() * inverse - p.square()).root() * self.left[branch]
         own = plus(scaled(p, v), scaled(q, across(v)))
         gap, swing = minus(own, v), across(own)
@@ -123,7 +123,7 @@ class RemoteRules(Dimensions):
     def roller(self, numbers):
         """C_u, C_a, u's angle by the output to both orders, s' and s''."""
         self.choose(numbers)
-        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
+        lift, inverse = Jet.number(*self.lift), Jet.number(*self.beta).inverse()
         way, rate, bend = self.roller_arm(numbers[0] * lift)
         pivot = self.pivot()
         slope = numbers[1] * lift * inverse
@@ -158,12 +158,12 @@ class RemoteRules(Dimensions):
     def pressure(self, limit, sign):
         """sign (C_u - s l w') cos(limit) <= |C_a| sin(limit), over cos(limit) l |dw/ds|: linear in the output's velocity. At the
         contact point as it is, m. Where C_a has another sign than at rest nothing satisfies both sides."""
-        steep = Over.number(*tangent(limit))
-        cosine = (constant(1) + steep.square()).root().inverse()
+        steep = Jet.number(*tangent(limit))
+        cosine = (1 + steep.square()).root().inverse()
 
         def rule(numbers):
             along, beside, rate, _, slope, _ = self.roller(numbers)
-            arm, side = self.size("roller_arm"), self.side * constant(sign)
+            arm, side = self.size("roller_arm"), self.side * sign
             lever = arm * rate
             if self.at_contact:
                 along = along - self.sense * lever * slope
@@ -179,11 +179,11 @@ class RemoteRules(Dimensions):
         """(roller + wider) curvature - share, times |V|^3 / (l |C_a dw/ds|): linear in the output's acceleration."""
         def rule(numbers):
             along, beside, rate, bend, slope, acceleration = self.roller(numbers)
-            arm, factor = self.size("roller_arm"), self.size("roller_radius") + constant(wider)
+            arm, factor = self.size("roller_arm"), self.size("roller_radius") + wider
             swing = arm * rate * slope
             v, w = self.sense * beside, swing - self.sense * along
             square = v.square() + w.square()
-            forth = constant(2) * self.sense * swing - swing * rate * slope - along
+            forth = 2 * self.sense * swing - swing * rate * slope - along
             aside = arm * bend * slope.square() - beside
             still = -self.sense * (v * aside - w * forth)
             lever = arm * rate * beside

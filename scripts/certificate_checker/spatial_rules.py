@@ -12,7 +12,7 @@ from .dimensions import largest_of, middle_size
 from .disk_rules import LOADED, TOUCHES, carried_at
 from .forces import Forces
 from .laws import constant
-from .enclosures import Over
+from .enclosures import Jet
 from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times
 from .rational import Fraction
@@ -56,17 +56,17 @@ class SpatialRules:
     def size(self, name, numbers):
         if name not in self.searched:
             return constant(self.sizes[name])
-        return numbers[4 + list(self.searched).index(name)] * constant(largest_of(self.searched[name]))
+        return numbers[4 + list(self.searched).index(name)] * largest_of(self.searched[name])
 
     def axis(self, numbers, height):
         """V_u, V_b, F, A_u, A_b and the parts of e' of the axis at a height over its near end."""
-        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
+        lift, inverse = Jet.number(*self.lift), Jet.number(*self.beta).inverse()
         slope, bend = numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
         sense, none = constant(self.sense), constant(0)
         arm, distance, beside = (self.size(n, numbers) for n in ("arm_length", "center_distance", "lateral_offset"))
         if self.kind == "translating":
             return slope, sense * (distance - height), sense * beside, bend, -beside, none, -sense
-        sine, cosine = (Over.number(*self.start) + numbers[0] * lift).sine_and_cosine()
+        sine, cosine = (Jet.number(*self.start) + numbers[0] * lift).sine_and_cosine()
         if self.kind == "barrel":
             rho, lateral = distance - height, arm * cosine - beside
             return arm * slope - sense * rho * sine, -sense * rho * cosine, sense * lateral, \
@@ -74,7 +74,7 @@ class SpatialRules:
         rho = arm + height
         radial = distance - rho * cosine
         return rho * slope - sense * beside * sine, sense * radial, sense * beside * cosine, rho * bend - radial * sine, \
-            constant(2) * sense * rho * slope * sine - beside, slope, -sense * cosine
+            2 * sense * rho * slope * sine - beside, slope, -sense * cosine
 
     def formulas(self, key, order=None, sign=0, remark=""):
         """All rules that a limit stands for: at the near and the far end of the roller."""
@@ -105,24 +105,24 @@ class SpatialRules:
 
     def groove(self, numbers):
         """Half its width."""
-        return self.size("roller_radius", numbers) + constant(self.wider)
+        return self.size("roller_radius", numbers) + self.wider
 
     def height(self, part, numbers):
-        return constant(part) * self.size("roller_length", numbers)
+        return part * self.size("roller_length", numbers)
 
     def pressures(self, limit, sign):
         return []
 
     def pressure(self, limit, sign, part):
         """sign V_u cos - |V_b| sin, at a part of the roller's length."""
-        steep = Over.number(*tangent(limit))
-        cosine = (constant(1) + steep.square()).root().inverse()
+        steep = Jet.number(*tangent(limit))
+        cosine = (1 + steep.square()).root().inverse()
         sine = cosine * steep
         above = constant(-self.sense if self.kind == "barrel" else self.sense)
 
         def rule(numbers):
             across, along = self.axis(numbers, self.height(part, numbers))[:2]
-            return constant(sign) * across * cosine - above * along * sine - self.room
+            return sign * across * cosine - above * along * sine - self.room
         return rule
 
     def loads(self, name, corner, place=""):
@@ -147,8 +147,8 @@ class SpatialRules:
     def force(self, numbers, corner):
         """mass speed^2 s'' + damping speed s' + rate s + preload + load; of what turns the moment."""
         own, (square, speed) = self.forces, corner
-        return numbers[2] * constant(own.mass * square * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
-            constant(own.rate) * numbers[0] * constant(own.lift) + constant(own.preload) + self.load
+        return numbers[2] * (own.mass * square * own.lift) + numbers[1] * (own.damping * speed * own.lift) + \
+            own.rate * numbers[0] * own.lift + own.preload + self.load
 
     def pressed(self, flank):
         """The sign of the force that presses on a flank."""
@@ -157,18 +157,18 @@ class SpatialRules:
     def torque(self, sign, corner):
         """sign F s' / most - 1, s' by the cam's angle in rad."""
         factor = constant(sign / number(self.limits["torque_max_nm"]))
-        rate = Over.number(*self.lift) * Over.number(*self.beta).inverse()
-        return self.unscaled(lambda numbers: self.force(numbers, corner) * numbers[1] * rate * factor - constant(1))
+        rate = Jet.number(*self.lift) * Jet.number(*self.beta).inverse()
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * numbers[1] * rate * factor - 1)
 
     def largest_force(self, flank, corner):
         most = number(self.limits["contact_force_max_n"])
-        return self.unscaled(lambda numbers: self.force(numbers, corner) * constant(self.pressed(flank) / most) - constant(1))
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * (self.pressed(flank) / most) - 1)
 
     def near(self, part):
         """The axis of the cam stays away from that of the roller, by parts of the centre distance."""
         above = constant(-self.sense if self.kind == "barrel" else self.sense)
         inverse = constant(1 / middle_size(self.sizes["center_distance"]))
-        return self.unscaled(lambda numbers: constant(TOUCHES) - above * self.axis(numbers, self.height(part, numbers))[1] * inverse)
+        return self.unscaled(lambda numbers: TOUCHES - above * self.axis(numbers, self.height(part, numbers))[1] * inverse)
 
     def hertz(self, most, corner, flank, part):
         """F <= carried * radius * lever, in parts of a unit of force (of what turns: of a moment)."""
@@ -183,13 +183,13 @@ class SpatialRules:
             speed, groove = inverse.root(), radius + wider
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
             twist = (groove * tilt * inverse).square()
-            g = constant(1) - side * groove * (turn - constant(2) * beside * tilt) * inverse * speed - twist
-            inclined = constant(1) + twist
+            g = 1 - side * groove * (turn - 2 * beside * tilt) * inverse * speed - twist
+            inclined = 1 + twist
             contact = radius * groove * g * inclined.root() * (radius * inclined + wider * g).inverse()
             lever = constant(1) if self.kind == "translating" else self.size("arm_length", numbers)
             if self.kind == "rotating":
                 lever = lever + height
-            press = self.force(numbers, corner) * constant(self.pressed(flank) / unit)
+            press = self.force(numbers, corner) * (self.pressed(flank) / unit)
             return press - carried * contact * lever * above * along * speed
         return self.unscaled(rule)
 
@@ -202,8 +202,8 @@ class SpatialRules:
             across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(numbers, height)
             inverse = (across.square() + along.square()).inverse()
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
-            bend = (turn - constant(2) * beside * tilt) * inverse * inverse.root()
-            return constant(least) - constant(1) + side * radius * bend + (radius * tilt * inverse).square() - self.room
+            bend = (turn - 2 * beside * tilt) * inverse * inverse.root()
+            return least - 1 + side * radius * bend + (radius * tilt * inverse).square() - self.room
         return rule
 
     def scaled_margin(self, least, flank, part):
@@ -219,10 +219,10 @@ class SpatialRules:
             across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(still, height)
             square = across.square() + along.square()
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
-            room = constant(least - 1) * square * square.root() * radius.inverse() + \
-                side * (turn - constant(2) * beside * tilt) + radius * tilt.square() * square.root().inverse()
-            sign, inverse = sign_of(along), Over.number(*self.beta).inverse()
-            bend = numbers[2] * Over.number(*self.lift) * inverse.square()
+            room = (least - 1) * square * square.root() * radius.inverse() + \
+                side * (turn - 2 * beside * tilt) + radius * tilt.square() * square.root().inverse()
+            sign, inverse = sign_of(along), Jet.number(*self.beta).inverse()
+            bend = numbers[2] * Jet.number(*self.lift) * inverse.square()
             return room * (lever * sign * along).inverse() - side * sign * bend - self.room
         return rule
 

@@ -141,7 +141,7 @@ class MadeRules:
         errors = self.corner.motion + [Fraction(0)] + self.searched_errors
 
         def rule(numbers, *more):
-            return formula([n if not e else n + constant(e) for n, e in
+            return formula([n if not e else n + e for n, e in
                             itertools.zip_longest(numbers, errors[:len(numbers)], fillvalue=Fraction(0))], *more)
         return rule
 

@@ -25,7 +25,7 @@ The force on the cam in units of K lift:  s P / (K lift) + s (1 - s) y + 2 z / w
 import itertools
 
 from . import enclosures
-from .enclosures import Complex, Over
+from .enclosures import Complex, Jet
 from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
 from .laws import at_time, constant, harmonic
 from .rational import Fraction
@@ -55,22 +55,22 @@ class Train:
         mass, back = number(given["mass_kg"]), number(given.get("return_spring_n_m", 0))
         self.frequency = self.frequency_of(given, mass, back)
         square = self.frequency.square()
-        self.stiffness = constant(mass) * square                       # K
-        self.share = constant(1) - constant(back) * self.stiffness.inverse()  # s
+        self.stiffness = mass * square                       # K
+        self.share = 1 - back * self.stiffness.inverse()  # s
         self.damping = constant(number(given.get("damping_ratio", 0)))
         if "damping_n_s_m" in given:
-            self.damping = constant(number(given["damping_n_s_m"]) / (2 * mass)) * self.frequency.inverse()
+            self.damping = (number(given["damping_n_s_m"]) / (2 * mass)) * self.frequency.inverse()
         if self.damping.value[1] >= enclosures.ONE:
             raise Unverified("an elastic follower that is damped above critical")
-        self.ring = (constant(1) - self.damping.square()).root()       # sqrt(1 - z^2)
-        self.preload = constant(number(given.get("preload_n", 0)) / self.lift) * self.stiffness.inverse()
+        self.ring = (1 - self.damping.square()).root()       # sqrt(1 - z^2)
+        self.preload = (number(given.get("preload_n", 0)) / self.lift) * self.stiffness.inverse()
         self.times = self.times_of(given)
         self.memory = {}
 
     def frequency_of(self, given, mass, back):
         """sqrt(K / m), rad/s."""
         if "natural_frequency_hz" in given:
-            return Over.number(*times(PI, exactly(2 * number(given["natural_frequency_hz"]))))
+            return Jet.number(*times(PI, exactly(2 * number(given["natural_frequency_hz"]))))
         if "natural_frequency_rad_s" in given:
             return constant(number(given["natural_frequency_rad_s"]))
         return constant((number(given["stiffness_n_m"]) + back) / mass).root()
@@ -130,8 +130,8 @@ class Train:
     def after_rest(self, whole, time):
         """E from J."""
         exponent, w, _ = self.exponent(time)
-        rest = constant(1) - self.share
-        factor = exponent.inverse().scaled(rest * constant(2) * self.damping * w) - Complex(self.share, constant(0))
+        rest = 1 - self.share
+        factor = exponent.inverse().scaled(rest * 2 * self.damping * w) - Complex(self.share, constant(0))
         return factor * whole
 
     def amplitude_square(self, whole, time):
@@ -180,14 +180,14 @@ class Train:
             total = Complex(constant(0), constant(0))
             for width, a, waves, _ in parts:
                 t = constant(width)
-                gone = exponent.scaled(t * constant(Fraction(1, 4))).exponential()
+                gone = exponent.scaled(t * Fraction(1, 4)).exponential()
                 gone = gone * gone
                 gone = gone * gone
                 own = (gone - Complex(constant(1), constant(0))) * exponent.inverse().scaled(a)
                 for sign, (g, b, c) in itertools.product((1, -1), waves):
-                    turn = Complex(constant(0), constant(sign) * g)
+                    turn = Complex(constant(0), sign * g)
                     spun = (turn.scaled(t).exponential() - gone) * (turn - exponent).inverse()
-                    own = own + spun * Complex(c * half, constant(-sign) * b * half)
+                    own = own + spun * Complex(c * half, -sign * b * half)
                 total = total * gone + own
             return self.amplitude_square(total, z[0])
         return self.largest(formula)
@@ -218,8 +218,8 @@ class Train:
 
     def keep_force(self, curve, least, k):
         """The force on the cam, N, along a run at every speed, and in the dwells beside it."""
-        wanted = constant(least * (1 - KEPT) / self.lift) * self.stiffness.inverse()
-        rest, two = constant(1) - self.share, constant(2)
+        wanted = (least * (1 - KEPT) / self.lift) * self.stiffness.inverse()
+        rest, two = 1 - self.share, constant(2)
         ends = [enclosures.interval(self.times[0])[0], enclosures.interval(self.times[1])[1]]
         jumps, known = self.jumps_of([(p, w) for p, w, _, _ in curve.cam_pieces()[k]]), {}
 
@@ -250,8 +250,8 @@ class Train:
                 raise Refuted("limits.dynamic_contact_force_min_n is passed")
         # At rest, and while it rings: |e| <= amplitude, |e'| <= w amplitude.
         still = self.share * self.preload - wanted
-        amplitude = Over.number(Fraction(0), self.residual_after(curve, k)[1])
-        begin, end = (self.share * rest * constant(level * (self.problem.to_cam[0] if self.problem.to_cam else 1))
+        amplitude = Jet.number(Fraction(0), self.residual_after(curve, k)[1])
+        begin, end = (self.share * rest * (level * (self.problem.to_cam[0] if self.problem.to_cam else 1))
                       for level in self.problem.runs[k].ends())
         ringing = still + end - amplitude * (self.share + two * self.damping)
         if (still + begin).value[0] < 0 or ringing.value[0] < 0:

@@ -15,13 +15,12 @@ touches at the foot of the normal through the instantaneous centre of its motion
 """
 
 from certificate_checker.cam import DIMENSIONS
-from certificate_checker.enclosures import ONE, interval
+from certificate_checker.enclosures import ONE, ZERO, Jet, halved, interval
 from certificate_checker.exact import STATED, Refuted, Unverified, number
 from certificate_checker.rational import Fraction
 from certificate_checker.units import angle_of, dimension_of, enclosed
 
 from .designed_motion import DesignedMotion, exact_numbers
-from .jets import Jet, ZERO, halved
 
 MILLIMETRES = 1000
 WITH_ROLLER = ("translating_roller", "oscillating_roller")
@@ -131,12 +130,12 @@ class PlaneCam:
     def moved(self, piece, x):
         """The displacement and its derivative by the cam angle."""
         y = piece.states(x)
-        return Jet(y[0], y[1], halved(y[2])).scaled(self.lift), \
-            Jet(y[1], y[2], halved(y[3])).scaled(self.lift).scaled(self.by_angle)
+        return Jet.along(y[0], y[1], halved(y[2])).scaled(self.lift), \
+            Jet.along(y[1], y[2], halved(y[3])).scaled(self.lift).scaled(self.by_angle)
 
     def turned_back(self, point, x):
         """The fixed point where it lies on the cam."""
-        angle = Jet(x, (ONE, ONE)).scaled(self.unit_angle)
+        angle = Jet.along(x, (ONE, ONE)).scaled(self.unit_angle)
         sine, cosine = angle.sine_and_cosine()
         if self.sense < 0:
             sine = -sine
