@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The lower bound: weak duality."""
-import re
-
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, add_to, derivative, integral, number, product, root
 from .drive_rows import MotorRows
 from .motion_bounds import lost_area
+from .origins import Origin
 from .prescribed import limits_at, value_beside
 from .rational import Fraction
 from .runs import Row
@@ -13,7 +12,6 @@ from .strokes import farthest, stroke_of
 from .phase_rows import add_phase_row, use_phase_rows
 
 
-RANGE_OF_LEVEL = re.compile(r"motion\.segments\[(\d+)\]\.to")
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
 LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
@@ -178,27 +176,27 @@ class Bound:
         self.rows.append((row, multiplier))
 
     def add_row(self, row, factor=1):
-        """A row of the certificate, by its name alone: rule, place, side, derivative, sign."""
-        origin, multiplier = row["origin"], factor * number(row["multiplier"])
-        level = RANGE_OF_LEVEL.fullmatch(origin["rule"])
-        if level and multiplier > 0 and int(level[1]) + 1 in self.problem.free:
-            return self.use(self.range_row(int(level[1]) + 1, origin["sign"] > 0), multiplier)
-        if "at" not in origin or not multiplier or origin["rule"] == "area":
-            return  # conditions, limits of peaks, the area: their multipliers are chosen here
+        """A row of the certificate, by its fields alone: rule, place, side, derivative, sign."""
+        origin, multiplier = Origin.of(row["origin"]), factor * number(row["multiplier"])
+        if origin.at is None or not multiplier or origin.key == "area":
+            return None  # conditions, limits of peaks, the area: their multipliers are chosen here
+        segment = origin.which.get("segment")  # whose displacement is held in its range
+        if segment is not None and multiplier > 0 and int(segment) + 1 in self.problem.free:
+            return self.use(self.range_row(int(segment) + 1, origin.sign > 0), multiplier)
         if multiplier < 0:
             raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
         if add_phase_row(self, origin, multiplier):
             return None
-        if origin["rule"] == "deviation" and self.problem.table:
-            return self.use(self.problem.table.row(origin["remark"]), multiplier)
+        if origin.key == "deviation" and self.problem.table:
+            return self.use(self.problem.table.row(origin), multiplier)
         if self.motor and self.motor.takes(origin):
             return self.motor.add(origin, multiplier)
         at, side = self.problem.place_of(origin)
         found = self.row_of(origin, at, side, *self.run_at(at, side))
         if found is None:
-            return self.leave_out(origin["rule"], multiplier)
+            return self.leave_out(origin.key, multiplier)
         if found[0].leaning:
-            self.left_out.setdefault(origin["rule"], Fraction(0))  # another tangent could say more
+            self.left_out.setdefault(origin.key, Fraction(0))  # another tangent could say more
             return self.tangents.append((found[0], multiplier * found[1], at, side))
         return self.use(found[0], multiplier * found[1])
 
@@ -209,15 +207,12 @@ class Bound:
 
     def row_of(self, origin, at, side, k, run, stretch):
         """(the row that an origin names, what camopt's row is in units of it), or None: this checker has no use for it."""
-        order, sign, rule = origin.get("order"), origin.get("sign", 0), origin["rule"]
-        name = f"{rule} at x = {float(at)}"
-        peak = None
-        if not origin["limit"] and rule[1:] in ORDERS:
-            order, sign = ORDERS[rule[1:]], {"+": 1, "-": -1}[rule[0]]
+        order, sign, rule = origin.order, origin.sign, origin.key
+        name = str(origin)
+        if not origin.limit and rule in ORDERS:
             peak = next((i for i, t in enumerate(self.problem.terms) if t.kind == "peak" and t.order == order), None)
-            if peak is None or origin.get("order", order) != order or origin.get("sign", sign) != sign:
+            if peak is None or order != ORDERS[rule] or sign not in (1, -1):
                 raise Refuted(f"{name}: the scene has no such rule")
-        if peak is not None:
             if run is None:
                 raise Refuted(f"{name}: no spline is there")
             term = self.problem.terms[peak]

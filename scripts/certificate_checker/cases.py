@@ -6,7 +6,6 @@ depend on the angles, |y^(r)(u)| <= limit * angle^r, and a larger angle loosens 
 the largest angles of a box, which need not add up to the turn, is then at or below what it reaches anywhere in the box.
 """
 import itertools
-import re
 
 from .bound import Bound
 from .exact import KEPT, Refuted, SAME_PLACE, Unverified, number
@@ -17,9 +16,7 @@ from .strokes import stroke_of
 from .units import angle_of, in_unit
 
 MOST_STROKES = 12  # that are split: all their directions are counted
-LARGER = 1 + Fraction(6, 10**9)  # ends of boxes are written to nine digits
-ANGLE = re.compile(r"(\S+) deg <= angle of motion\.segments\[(\d+)\] <= (\S+) deg")
-DIRECTION = re.compile(r"motion\.segments\[(\d+)\] (rises|falls) or rests")
+LARGER = 1 + Fraction(1, 10**12)  # ends of boxes are doubles
 
 
 def displacements_found(result):
@@ -45,10 +42,9 @@ def relaxed_by(proof):
 
 def region_of(case):
     """{segment: whether it rises}."""
-    found = [DIRECTION.fullmatch(line) for line in case["region"]]
-    if None in found:
+    if any("rises" not in part for part in case["parts"]):
         raise Unverified("a proof by cases of " + ", ".join(case["region"]))
-    return {int(line[1]): line[2] == "rises" for line in found}
+    return {part["segment"]: part["rises"] for part in case["parts"]}
 
 
 def require_cover(problem, regions):
@@ -162,11 +158,11 @@ def by_angles(scene, references, cases):
 
 
 def box_of(case):
-    """{segment: (least, most)} in deg, of the words of a region."""
-    found = [ANGLE.fullmatch(line) for line in case.get("region", [])]
-    if None in found:
+    """{segment: (least, most)} in deg."""
+    parts = case.get("parts", [])
+    if any("angle_deg" not in part for part in parts):
         raise Unverified("a proof by cases of " + ", ".join(case["region"]))
-    return {int(line[2]): (number(line[1]), number(line[3])) for line in found}
+    return {part["segment"]: tuple(map(number, part["angle_deg"])) for part in parts}
 
 
 def nearest_problem(scene, references, proof, tops):

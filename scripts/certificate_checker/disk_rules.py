@@ -26,8 +26,8 @@ class Side:
     conjugate cam, in whose mirror the follower moves the other way: between the arms (rad, enclosed) or the rollers (m);
     `pressed`: the sign of the force that presses on it."""
 
-    def __init__(self, name="", flank=1, wider=Fraction(0), turn=None, pressed=1):
-        self.name, self.flank, self.wider, self.turn, self.pressed = name, flank, wider, turn, pressed
+    def __init__(self, flank=1, wider=Fraction(0), turn=None, pressed=1):
+        self.flank, self.wider, self.turn, self.pressed = flank, wider, turn, pressed
 
 
 def carried_at(most, problem, given):
@@ -60,6 +60,7 @@ class DiskRules:
         # On the follower at the cam angle that is looked at, N: set anew where it is not the same everywhere.
         self.load = constant(0)
         if "forces" in scene:
+            self.loaded = Forces(problem, problem.scene)
             self.load = constant(Forces(problem, scene).points[0][1])
 
     @staticmethod
@@ -153,18 +154,18 @@ class DiskRules:
 
     # -- the rules
 
-    def formulas(self, key, order=None, sign=0, remark=None):
-        """The rules that the key of a limit may mean: none where there is no such here, two where the file does not say
-        which side it is. `remark`: the speed that a limit on a load is meant at, "" or "at 0 rpm"; None: all of them."""
-        name = key.removeprefix("limits.")
-        if name in LOADED:
-            return self.loads(name, Forces(self.problem, self.problem.scene).corners_named(remark))
-        found = self.formula(key, order, sign, remark or "")
+    def formulas(self, origin):
+        """The rules that a row of a limit means, or all rows of the limit; none: there is no such here."""
+        name = origin.key.removeprefix("limits.")
+        if name in LOADED and not origin.part:
+            return self.loads(name, origin)
+        found = self.formula(name, origin)
         return [found] if found else []
 
-    def loads(self, name, corners):
+    def loads(self, name, origin):
+        corners = origin.chosen("load_speed", self.loaded.corners, 0)
         if name == "torque_max_nm":
-            return [self.torque(sign, corner) for corner in corners for sign in (1, -1)]
+            return [self.torque(sign, corner) for corner in corners for sign in origin.signs("torque")]
         if name == "contact_force_min_n":
             return [self.contact(corner) for corner in corners]
         if name == "contact_force_max_n":
@@ -172,10 +173,15 @@ class DiskRules:
         found = [self.hertz(number(self.limits[name]) * 10**6, corner) for corner in corners]
         return [rule for rule in found if rule]
 
-    def formula(self, key, order, sign, remark):
-        name, _, part = key.partition(" (")
-        name = name.removeprefix("limits.")
-        if remark or (order == 0 and not part):
+    def formula(self, name, origin):
+        sign = origin.sign
+        if origin.part == "undercut":
+            return self.margin(TOUCHES)
+        if origin.part == "contact_height":
+            return self.height()
+        if origin.part == "face_turn":
+            return self.face_turn()
+        if origin.order == 0:
             return None
         if name.endswith("pressure_angle_deg") and sign:
             turned = self.sense < 0 if self.swings else self.side.turn is not None
@@ -183,10 +189,6 @@ class DiskRules:
             own = "rise_pressure_angle_deg" if rises else "return_pressure_angle_deg"
             return self.pressure(number(self.limits[name]), sign) if name == (own if own in self.limits else
                                                                               "pressure_angle_deg") else None
-        if part.startswith("undercut)"):
-            return self.margin(TOUCHES)
-        if part.startswith("contact below"):
-            return self.height()
         for start, make in (("cam_radius_min_", self.convex_radius), ("concave_radius_min_", self.concave_radius)):
             if name.startswith(start):
                 return make(dimension_of(self.limits, start[:-1]))
@@ -258,6 +260,10 @@ class DiskRules:
             return None
         return lambda numbers: self.excess(numbers, self.surface(numbers), constant(1 - least))
 
+    def face_turn(self):
+        """A face on an arm goes on turning in the cam's frame."""
+        return lambda numbers: -FACE_TURNS - self.states(numbers)[1] * self.sense
+
     def height(self):
         inverse = constant(1 / self.reach())
         if self.follower == "oscillating_flat":
@@ -266,7 +272,7 @@ class DiskRules:
 
     def force(self, numbers, corner):
         """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment, at that angle."""
-        own, (square, speed) = Forces(self.problem, self.problem.scene), corner
+        own, (square, speed) = self.loaded, corner
         sizes = self.sizes(numbers)
         preload, rate = (sizes.get(name) or constant(number) for name, number in
                          (("forces.preload", own.preload), ("forces.spring_rate", own.rate)))
@@ -275,9 +281,8 @@ class DiskRules:
 
     def contact(self, corner):
         """F >= least."""
-        forces = Forces(self.problem, self.problem.scene)
-        inverse = constant(1 / forces.unit(self.problem))
-        return lambda numbers: (forces.least - self.force(numbers, corner)) * inverse - self.room
+        inverse = constant(1 / self.loaded.unit(self.problem))
+        return lambda numbers: (self.loaded.least - self.force(numbers, corner)) * inverse - self.room
 
     def largest_force(self, corner):
         """F <= most on the side that it presses on."""
@@ -332,12 +337,10 @@ class TwoSides:
 
     load = property(None, bear)
 
-    def formulas(self, key, order=None, sign=0, remark=None):
-        side_name, _, speed = (remark or "").rpartition(", ") if "rpm" in (remark or "") else (remark, "", "")
-        once = key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
-        named = [side for side in self.sides if not side_name or side.side.name == side_name]
-        return [f for side in (named[:1] if once else named)
-                for f in side.formulas(key, order, sign, None if remark is None else speed)]
+    def formulas(self, origin):
+        once = origin.key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
+        sides = origin.chosen("side", origin.chosen("station", self.sides))
+        return [f for side in (sides[:1] if once else sides) for f in side.formulas(origin)]
 
     def pressures(self, limit, sign):
         return [side.pressure(limit, sign) for side in (self.sides if self.sides[1].side.turn else self.sides[:1])]

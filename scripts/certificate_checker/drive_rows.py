@@ -19,7 +19,6 @@ from .rational import Fraction
 from .runs import Row, Stretch
 
 RELIEVED = " as the speed approaches 0, which motion may relieve"
-NEAR = Fraction(1, 10**6)  # rules that the delivered motion comes so near to may be the one that a row means
 
 
 class MotorRows:
@@ -31,52 +30,31 @@ class MotorRows:
     # -- rows at a place
 
     def takes(self, origin):
-        return origin["rule"].startswith("limits.motor_") or origin["rule"].startswith("motor_torque")
+        return origin.key.startswith(("limits.motor_", "motor_torque"))
 
     def add(self, origin, multiplier):
-        if origin["rule"].startswith("limits.motor_torque_rms"):
+        if origin.key.startswith("limits.motor_torque_rms"):
             if self.drive.rms_limit is None:
                 raise Refuted("limits.motor_torque_rms: the scene has no such rule")
             if self.drive.at_rest and not self.drive.is_square_left():
-                return self.bound.leave_out(origin["rule"] + RELIEVED, multiplier)
+                return self.bound.leave_out(origin.key + RELIEVED, multiplier)
             self.square += multiplier
             return None
-        at, side = self.problem.place_of(origin)
-        own = [rule for rule in self.rules if rule.is_meant(origin)]
-        if not own:
-            raise Refuted(f"{origin['rule']} at x = {float(at)}: the scene has no such rule")
-        own = [rule for rule in own if rule.remark and rule.remark == origin.get("remark")] or own
-        if len(own) > 1:
-            own = self.nearest(own, at, side)
-        if not own:
-            return self.bound.leave_out(origin["rule"], multiplier)
+        rule = next((rule for rule in self.rules if rule.is_meant(origin)), None)
+        if rule is None and self.drive.at_rest:  # that of the last speed
+            return self.bound.leave_out(origin.key, multiplier)
+        if rule is None:
+            raise Refuted(f"{origin}: the scene has no such rule")
         if self.drive.at_rest:
-            return self.add_at_rest(own[0], multiplier)
-        for rule in own:
-            self.bound.use(self.row(rule, at, side), multiplier / len(own))
-        return None
+            return self.add_at_rest(rule, multiplier)
+        return self.bound.use(self.row(rule, *self.problem.place_of(origin)), multiplier)
 
     def add_at_rest(self, rule, multiplier):
         """Wherever the row is: the torque at rest may be taken at any place where no motion relieves it."""
-        largest = self.drive.largest_at_rest(rule.sign)
+        largest = self.drive.largest_at_rest(1 if rule.by_torque > 0 else -1)
         if largest is None:
             return self.bound.leave_out(rule.key + RELIEVED, multiplier)
         return self.bound.use(self.over_all(rule.key, [], Fraction(0), rule.scale, (rule.most - largest) / rule.scale), multiplier)
-
-    def nearest(self, rules, at, side):
-        """Those of the rules that the delivered motion comes nearest to: a file that does not say which one it means is
-        believed to mean them. If it does not, the bound is weaker."""
-        curve, (k, run, _) = self.bound.curve, self.bound.run_at(at, side)
-        if curve is None:
-            return []
-        if run is None:
-            values = [-self.row(rule, at, side).most for rule in rules]
-        else:
-            span, folded = self.drive.span_at(at, side), self.problem.folded(at, side)
-            slope, bend = (curve.value_at(k, folded, side, order) for order in (1, 2))
-            torque = self.drive.acceleration * bend + self.drive.velocity * slope + span.constant
-            values = [(r.by_torque * torque + r.by_speed * self.drive.speed * slope - r.most) / r.scale for r in rules]
-        return [rule for rule, value in zip(rules, values) if value >= max(values) - NEAR]
 
     def row(self, rule, at, side):
         name, drive = f"{rule.key} at x = {float(at)}", self.drive

@@ -20,6 +20,7 @@ from .laws import constant
 from .enclosures import Jet
 from .exact import exactly, number, tangent
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of
+from .origins import rows_of
 from .rational import Fraction
 from .remote_rules import given_in
 from .units import enclosed
@@ -94,26 +95,22 @@ class InverseRules(Dimensions):
 
     # -- the rules
 
-    def formulas(self, key, order=None, sign=0, remark="", at=None):
-        """All rules that the key of a limit stands for at a place; of the margin one for either wall."""
-        name = key.removeprefix("limits.")
-        if remark:
-            return []
-        if name == "pressure_angle_deg" and sign:
-            found = [self.pressure(number(self.limits[name]), sign)]
-        elif name == "undercut_margin":
-            found = [self.margin(number(self.limits[name]), side) for side in (1, -1)]
-        else:
-            return []
-        return [lambda numbers, f=f: f(numbers, constant(at)) for f in found]
+    def formulas(self, origin, at):
+        """The rules of a limit at a place."""
+        return [lambda numbers, f=f: f(numbers, constant(at)) for f in self.along(origin)]
+
+    def along(self, origin):
+        """Those of the numbers and the place; of the margin one for either wall, the left one first."""
+        name = origin.key.removeprefix("limits.")
+        if name == "pressure_angle_deg" and origin.sign:
+            return [self.pressure(number(self.limits[name]), origin.sign)]
+        if name == "undercut_margin":
+            return [self.margin(number(self.limits[name]), side) for side in origin.chosen("station", (1, -1))]
+        return []
 
     def kept(self, key):
         """(formulas of the numbers and the place, nowhere above 0 along a motion that keeps the limit; further numbers)."""
-        if key == "pressure_angle_deg":
-            return [self.pressure(number(self.limits[key]), sign) for sign in (1, -1)], []
-        if key == "undercut_margin":
-            return [self.margin(number(self.limits[key]), side) for side in (1, -1)], []
-        return [], []
+        return [f for origin in rows_of(key) for f in self.along(origin)], []
 
     def pressures(self, limit, sign):
         """At rest the guide is a circle about the body's pivot."""

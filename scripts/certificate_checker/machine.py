@@ -13,11 +13,12 @@ from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combin
 from .known import name_unknown_of_machine, name_what_is_unknown
 from .laws import at_time, constant, parts_along, polynomial_of
 from .motion import Curve
+from .origins import Origin, read_certificate
 from .prescribed import state_at
 from .problem import Problem
 from .rational import Fraction, parsed
 from .references import references_of
-from .units import LENGTHS, angle_of, in_known_units, in_unit, with_known_rule
+from .units import LENGTHS, angle_of, in_known_units, in_unit
 from .valve import as_program
 
 TURN = Fraction(360)
@@ -211,15 +212,14 @@ def add_rows(bounds, clearances, rows):
     """The constant that clearances leave."""
     left = Fraction(0)
     for row in rows:
-        origin = row["origin"]
-        clearance = next((c for c in clearances if c.name == origin["rule"]), None)
+        origin = Origin.of(row["origin"])
+        clearance = next((c for c in clearances if c.name == origin.key), None)
         if clearance:
-            left += clearance.use(bounds, in_unit((number(origin["at"]), "rad"), "deg"), number(row["multiplier"]))
-            continue
-        name, _, rule = origin["rule"].partition(": ")
-        if name not in bounds:
-            raise Refuted(f"the machine has no rule {origin['rule']}")
-        bounds[name].add_row(row | {"origin": origin | {"rule": rule}})
+            left += clearance.use(bounds, in_unit((origin.at, "rad"), "deg"), number(row["multiplier"]))
+        elif origin.axis in bounds:
+            bounds[origin.axis].add_row(row)
+        else:
+            raise Refuted(f"the machine has no rule {origin}")
     return left
 
 
@@ -270,7 +270,7 @@ def judge_machine(folder, report, outcome_of):
     """`outcome_of`: of the result folder of one axis."""
     machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=parsed)
     result = json.loads((folder / "machine.json").read_text(), parse_float=parsed)
-    certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
+    certificate = read_certificate(folder / "certificate.json")
     name_unknown_of_machine(machine)
     verdict, impossible, (least, most) = result["verdict"], result["impossible_above_rpm"], speeds_of(machine)
     claims = [verdict, f"{len(machine['axis'])} axes"]
@@ -305,7 +305,7 @@ def judge_machine(folder, report, outcome_of):
     if impossible is not None:
         if number(impossible) <= number(result["speed_rpm"]):
             raise Refuted("motions are delivered at a speed that is said to be impossible")
-        proof = json.loads((folder / "impossible.json").read_text(), object_hook=with_known_rule)["proof"]
+        proof = read_certificate(folder / "impossible.json")["proof"]
         axes, clearances = at(number(impossible))
         judge_impossible(axes, clearances, proof, report)
         missing += not_above(axes) if verdict == "optimal" else []

@@ -5,7 +5,7 @@ import itertools
 
 from . import enclosures
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
-from .laws import constant, jumps, mean_of, parts_along, turns_back
+from .laws import jumps, mean_of, parts_along, turns_back
 from .rational import Fraction
 from .tolerance import Tolerances
 

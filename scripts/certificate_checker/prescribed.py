@@ -2,8 +2,9 @@
 """Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
 
 from .enclosures import Jet, ends_of
-from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, number, root, tangent
+from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, root, tangent
 from .laws import constant, jumps, law_peak, parts_along, turns_back
+from .origins import Origin
 from .rational import Fraction
 from .runs import Stretch
 from .units import dimension_of
@@ -91,9 +92,9 @@ def judge_passed_limit(problem, proof, report):
     """The proof names a limit and a place."""
     if proof is None or proof["statement"] != "least_common_violation" or len(proof["rows"]) != 1:
         raise Unverified("infeasibility at a place that the scene prescribes without a row that says where")
-    origin = proof["rows"][0]["origin"]
-    rule, (at, side) = origin["rule"], problem.place_of(origin)
-    sides = [own for own in ("right", "left") if own == (side if "side" in origin else own) and
+    origin = Origin.of(proof["rows"][0]["origin"])
+    rule, (at, side) = origin.key, problem.place_of(origin)
+    sides = [own for own in ("right", "left") if own == (side if origin.side else own) and
              problem.stretch_at(problem.folded(at, own), own)]
     passed, unknown = False, None
     for side in sides:
@@ -155,13 +156,13 @@ def bound_of(problem, curve, proof):
     (name, (least, _)), = cam.searched.items()
     left_out = set()
     for row in proof["rows"]:
-        origin = row["origin"]
-        if "at" not in origin or not row["multiplier"]:
+        origin = Origin.of(row["origin"])
+        if origin.at is None or not row["multiplier"]:
             continue
         at, side = problem.place_of(origin)
         found = least_dimension(cam, origin, state_at(problem, at, side)[0], name)
         if found is None:
-            left_out.add(origin["rule"])
+            left_out.add(origin.key)
         else:
             least = max(least, found)
     problem.left_out = left_out
@@ -170,7 +171,7 @@ def bound_of(problem, curve, proof):
 
 def least_dimension(cam, origin, state, name):
     """What a limit at a place demands of the base radius or the roller radius, m; None: nothing is made of it here."""
-    rule, sign, lift = origin["rule"], origin.get("sign", 0), cam.lift
+    rule, sign, lift = origin.key, origin.sign, cam.lift
     s, slope, bend = (ends_of(own) for own in state[:3])
     fixed = sum((size for other, size in cam.sizes.items() if other != name and other != "offset"), Fraction(0))
     squares = [b * b for b in cam.beta]

@@ -546,9 +546,8 @@ class Problem:
 
     def place_of(self, origin):
         """(x, the side) of a row. Nothing of the motion follows its end: a row there is one of what leads to it."""
-        at = number(origin["at"])
-        at_end = abs(at - self.copies * self.stretches[-1].end) <= SAME_PLACE
-        return at, "left" if at_end else origin.get("side", "right")
+        at_end = abs(origin.at - self.copies * self.stretches[-1].end) <= SAME_PLACE
+        return origin.at, "left" if at_end else origin.side or "right"
 
     # -- breakpoints and set points
 

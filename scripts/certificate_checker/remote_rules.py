@@ -27,6 +27,7 @@ from .laws import constant
 from .enclosures import Jet
 from .exact import number, root, tangent, times
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
+from .origins import rows_of
 from .rational import Fraction
 from .units import angle_of, dimension_of, enclosed
 
@@ -132,14 +133,12 @@ class RemoteRules(Dimensions):
 
     # -- the rules
 
-    def formulas(self, key, order=None, sign=0, remark=""):
-        """All rules that the key of a limit stands for. The sign tells rises from returns of the lever; as the pressure angle's
-        limit is the same for both, either sign must be kept."""
-        name = key.removeprefix("limits.")
-        if remark:
-            return []
-        if name == "pressure_angle_deg" and sign:
-            return [self.pressure(number(self.limits[name]), sign)]
+    def formulas(self, origin):
+        """The rules of a limit. The sign tells rises from returns of the lever; as the pressure angle's limit is the same for both,
+        either sign must be kept."""
+        name = origin.key.removeprefix("limits.")
+        if name == "pressure_angle_deg" and origin.sign:
+            return [self.pressure(number(self.limits[name]), origin.sign)]
         for start, factor in (("cam_radius_min_", 1), ("concave_radius_min_", -1)):
             if name.startswith(start):
                 return [self.excess(factor * dimension_of(self.limits, start.removesuffix("_")), constant(1))]
@@ -152,8 +151,7 @@ class RemoteRules(Dimensions):
 
     def kept(self, key):
         """(formulas that are nowhere above 0 along a motion that keeps the limit, further numbers of theirs)."""
-        signs = (1, -1) if key == "pressure_angle_deg" else (0,)
-        return [f for sign in signs for f in self.formulas("limits." + key, 1, sign)], []
+        return [f for origin in rows_of(key) for f in self.formulas(origin)], []
 
     def pressure(self, limit, sign):
         """sign (C_u - s l w') cos(limit) <= |C_a| sin(limit), over cos(limit) l |dw/ds|: linear in the output's velocity. At the

@@ -15,10 +15,12 @@ from .laws import constant
 from .enclosures import Jet
 from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times
+from .origins import rows_of
 from .rational import Fraction
 from .units import angle_of, dimension_of, enclosed
 
-PARTS = (Fraction(0), Fraction(1, 2), Fraction(1))  # of the roller's length: the stations
+PARTS = (Fraction(0), Fraction(1, 2), Fraction(1))  # of the roller's length
+STATIONS = [(flank, part) for part in PARTS for flank in (1, -1)]  # in camopt's order
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")
 
 
@@ -76,32 +78,31 @@ class SpatialRules:
         return rho * slope - sense * beside * sine, sense * radial, sense * beside * cosine, rho * bend - radial * sine, \
             2 * sense * rho * slope * sine - beside, slope, -sense * cosine
 
-    def formulas(self, key, order=None, sign=0, remark=""):
-        """All rules that a limit stands for: at the near and the far end of the roller."""
-        if key == "limits.pressure_angle_deg" and sign and not remark:
-            return [self.pressure(number(self.limits["pressure_angle_deg"]), sign, part) for part in (Fraction(0), Fraction(1))]
-        if key == "limits.undercut_margin" and not remark:
-            return [self.scaled_margin(number(self.limits["undercut_margin"]), flank, part) for flank in (1, -1) for part in PARTS]
-        name, _, contact = key.removeprefix("limits.").partition(" (")
+    def formulas(self, origin):
+        """The rules of a limit at the roller's stations: the pressure angle and the height of the contact at its ends alone."""
+        name, stations = origin.key.removeprefix("limits."), origin.chosen("station", STATIONS)
+        if name == "pressure_angle_deg" and origin.sign:
+            return [self.pressure(number(self.limits[name]), origin.sign, part) for part in self.ends(stations)]
+        if name == "undercut_margin":
+            return [self.scaled_margin(number(self.limits[name]), *station) for station in stations]
         if name not in LOADED or not self.forces:
             return []
-        if contact.startswith("undercut"):
-            return [self.scaled_margin(TOUCHES, flank, part) for flank in (1, -1) for part in PARTS]
-        if contact:
-            return [self.near(part) for part in PARTS[::2]]
-        place, _, speed = remark.rpartition(", ") if "rpm" in remark and "," in remark else (("", "", remark) if "rpm" in remark else (remark, "", ""))
-        return [rule for corner in self.forces.corners_named(speed) for rule in self.loads(name, corner, place)]
+        if origin.part == "undercut":
+            return [self.scaled_margin(TOUCHES, *station) for station in stations]
+        if origin.part == "contact_height":
+            return [self.near(part) for part in self.ends(stations)]
+        return [rule for corner in origin.chosen("load_speed", self.forces.corners, 0) for rule in self.loads(name, corner, origin, stations)]
+
+    @staticmethod
+    def ends(stations):
+        return [part for part in PARTS[::2] if part in [own for _, own in stations]]
 
     def kept(self, key):
         """(formulas that are nowhere above 0 along a motion that keeps the limit, further numbers of theirs)."""
-        if key == "pressure_angle_deg":
-            return [f for sign in (1, -1) for f in self.formulas("limits." + key, 1, sign)], []
-        if key in LOADED and self.forces:
-            return [rule for corner in self.forces.corners for rule in self.loads(key, corner)], []
         if key == "undercut_margin":
             margin = number(self.limits[key])
             return [self.margin(margin, flank) for flank in (1, -1)], [(Fraction(0), Fraction(1))]
-        return [], []
+        return [f for origin in rows_of(key) for f in self.formulas(origin)], []
 
     def groove(self, numbers):
         """Half its width."""
@@ -125,17 +126,14 @@ class SpatialRules:
             return sign * across * cosine - above * along * sine - self.room
         return rule
 
-    def loads(self, name, corner, place=""):
-        """The rules of a limit on a load; `place`: one station or one side alone, "50 % of the roller, flank +"."""
-        def named(part, flank):
-            return not place or place == f"{float(100 * part):.0f} % of the roller, flank {'+' if flank > 0 else '-'}"
+    def loads(self, name, corner, origin, stations):
+        """The rules of a limit on a load."""
         if name == "torque_max_nm":
-            return [self.torque(sign, corner) for sign in (1, -1)]
+            return [self.torque(sign, corner) for sign in origin.signs("torque")]
         if name == "contact_force_max_n":
-            return [self.largest_force(flank, corner) for flank in (1, -1) if place in ("", f"flank {'+' if flank > 0 else '-'}")]
+            return [self.largest_force(pressed, corner) for pressed in origin.chosen("side", (1, -1))]
         if name == "hertz_pressure_max_mpa":
-            most = number(self.limits[name]) * 10**6
-            return [self.hertz(most, corner, flank, part) for flank in (1, -1) for part in PARTS if named(part, flank)]
+            return [self.hertz(number(self.limits[name]) * 10**6, corner, *station) for station in stations]
         return []
 
     def unscaled(self, rule):
@@ -160,9 +158,10 @@ class SpatialRules:
         rate = Jet.number(*self.lift) * Jet.number(*self.beta).inverse()
         return self.unscaled(lambda numbers: self.force(numbers, corner) * numbers[1] * rate * factor - 1)
 
-    def largest_force(self, flank, corner):
+    def largest_force(self, pressed, corner):
+        """`pressed`: the sign of the force that presses on the side."""
         most = number(self.limits["contact_force_max_n"])
-        return self.unscaled(lambda numbers: self.force(numbers, corner) * (self.pressed(flank) / most) - 1)
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * (pressed / most) - 1)
 
     def near(self, part):
         """The axis of the cam stays away from that of the roller, by parts of the centre distance."""

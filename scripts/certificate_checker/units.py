@@ -56,17 +56,10 @@ def in_known_units(scene):
     return scene | tables
 
 
-def with_known_rule(table):
-    """Of a row in a certificate, whose rule is the key of a limit as the scene has it, perhaps after "axis: "."""
-    if isinstance(table.get("rule"), str):
-        axis, _, key = table["rule"].rpartition(": limits.")
-        if not axis and key.startswith("limits."):
-            axis, key = None, key.removeprefix("limits.")
-        written, space, more = key.partition(" ")
-        if axis != "" and written in KNOWN_KEYS["limits"]:
-            before = "limits." if axis is None else axis + ": limits."
-            table["rule"] = before + KNOWN_KEYS["limits"][written][0] + space + more
-    return table
+def known_limit(key):
+    """The key of a limit as the checker knows it, of one as the scene has it."""
+    name = key.removeprefix("limits.")
+    return "limits." + KNOWN_KEYS["limits"][name][0] if key != name and name in KNOWN_KEYS["limits"] else key
 
 
 def dimension_of(table, *names):

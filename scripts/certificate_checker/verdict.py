@@ -12,16 +12,17 @@ from .cam import Cam
 from .cases import by_angles, by_direction, displacements_found, judge_cases, relaxed_by, searched_angles, with_angles
 from .conditions import Conditions
 from .drive import Drive, TERMS as MOTOR_TERMS, with_transmission_found
-from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
+from .exact import NOT_CONVEX, Refuted, STATED, Unverified, number
 from .known import name_what_is_unknown
 from .least import judge_least, without_keys
 from .machine import judge_machine
 from .measured import KINDS as DEVIATIONS
 from .motion import Curve
+from .origins import read_certificate
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
 from .problem import Problem
 from .rational import Fraction, parsed
-from .units import angle_of, in_known_units, in_unit, with_known_rule
+from .units import angle_of, in_known_units, in_unit
 from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
@@ -118,7 +119,7 @@ def judge_scene(folder, scene, report, vipr_path):
     name_what_is_unknown(scene)
     result = json.loads((folder / "result.json").read_text())
     scene = with_transmission_found(in_known_units(scene), result)
-    certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
+    certificate = read_certificate(folder / "certificate.json")
     verdict, proof = certificate["verdict"], certificate["proof"]
     report.say(f"claimed: {verdict}, objective {certificate['objective']}, bound {certificate['lower_bound']}")
     agree(certificate, result)
