@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Bounds over boxes: a list of inequalities, each of which follows from earlier ones.
+"""Lower bounds over boxes (branch and bound): a list of inequalities, each of which follows from earlier ones.
 
 The proof's variables x are control points of the splines, which are numbers of the scene's own spline space, and after
 them peaks and dimensions. Every step is an inequality  weights . x <= side. Of each the checker keeps a side of its own:
@@ -8,14 +8,15 @@ them peaks and dimensions. Every step is an inequality  weights . x <= side. Of 
                  it by, rounding, is added at its worst in the box of x.
   plane          slope . z + constant may not pass the rule anywhere in the box of z = (y, y', y'', y''', dimensions or peak
                  of the rule), whose ends are those that earlier steps prove. The rule is the checker's own
-                 (disk_rules.py), its least distance from the plane is found by halving the box.
+                 (disk_rules.py), its least distance from the plane is found by dividing the box.
   derived        with the multipliers m >= 0 of earlier steps: at most sum m side + the greatest (weights - sum m weights) . x
                  of the box.
-  split          an assumption, of which another part has the opposite.
+  split          an assumption of one part, whose opposite is assumed in another part.
 
-Whatever the file claims beyond that is refuted. The box of x, too, is the checker's own: it follows from what every
-better motion must satisfy. The parts are the leaves of a tree of splits, and may rest on no other assumption than
-theirs; the least of their bounds is the bound.
+Theorem. Every motion of the scene that is better than the delivered one has an x in the box (`range_of`), and satisfies every step but the
+splits. The parts are the leaves of a binary tree of opposite splits, so that x satisfies all splits of one part, and rest on no other
+assumptions than theirs: the least of their bounds is a lower bound of the objective, and if each part is a contradiction there is no
+motion. Whatever the file claims beyond that is refuted.
 """
 from . import enclosures
 from .conditions import Conditions

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Cams whose limits are checked."""
+"""Cams whose limits are judged.
+
+Theorem. `keep_limits`: each limit that it names is satisfied, to within KEPT, at every cam angle of the delivered motion, splines, laws and
+dwells, and for every choice of ends of the tolerances; others are named as missing. `row`: the row is satisfied by every motion whose
+derivatives are within `Bound.supremum` and that satisfies the limit: it is the limit where that is linear (slopes that do not vary over the
+box of states), else a plane that lies below the limit's formula wherever a motion can be.
+"""
 import itertools
 
 from . import enclosures
@@ -12,10 +18,10 @@ from .spatial_rules import SpatialRules
 from .tolerance import MadeRules, Tolerances
 from .disk_rules import LOADED, DiskRules, Side, TwoSides
 from .exact import (
-    KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root)
+    KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, value_at)
 from .forces import Forces
 from .harmonics import Harmonics
-from .laws import at_time, constant, parts_along
+from .laws import constant, parts_along
 from .motion_bounds import keeps
 from .origins import rows_of
 from .runs import Row
@@ -340,7 +346,7 @@ class Cam:
             for p, width, left, stretch in own:
                 orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
                 place = left - run.begin_of(stretch) + stretch.begin + copy * self.problem.stretches[-1].end
-                self.keep_along(key, formulas, lambda v, orders=orders: [at_time(c, v) for c in orders], place, Fraction(1), width, more)
+                self.keep_along(key, formulas, lambda v, orders=orders: [value_at(c, v) for c in orders], place, Fraction(1), width, more)
 
     def keep_along(self, key, formulas, motion, place, scale, width, more=()):
         """Nowhere above 0 along a motion of 0 <= v <= width, x = place + scale v; what moves beside the motion is told x too."""

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Proofs by cases: the strokes whose displacement is free rise or fall; angles that are searched lie in boxes.
 
-Of angles: each segment's y over its own part u of the way. Where every spline rests at both ends (y' = y'' = 0), only limits in time
-depend on the angles, |y^(r)(u)| <= limit * angle^r, and a larger angle loosens them, each side that allows rest. What a scene reaches with
-the largest angles of a box, which need not add up to the turn, is then at or below what it reaches anywhere in the box.
+Theorem. If the cases cover every choice of directions (`require_cover`), or every choice of angles that fills the revolution (`by_angles`),
+then no motion of the scene is below the least bound of the cases, and there is no motion where no case has one.
+
+Of angles: each segment's y over its own part u of the path. Where every spline rests at both ends (y' = y'' = 0), only limits in time
+depend on the angles, |y^(r)(u)| <= limit * angle^r, and a larger angle loosens them, each side that allows rest. The least objective with
+the largest angles of a box, which need not add up to the revolution, is then at or below that of any angles in the box.
 """
 import itertools
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Dimensions of a cam: numbers, or ranges that are searched, which count in parts of their largest magnitude."""
+"""Dimensions of a cam: numbers, or ranges that are searched, which count in parts of their largest magnitude.
+
+Theorem. With q a part of the largest magnitude of each searched range, q in `parts_of(range)`, `size` encloses the dimension in m or rad.
+"""
 from .enclosures import Jet, interval
 from .units import enclosed
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The limits of disk cams as formulas of one cam angle: below 0, or at 0, is kept.
+"""The limits of disk cams as formulas of one cam angle.
 
-A formula takes y, y', y'' and the dimensions that are searched as `Jet` and gives the rule, or the rule times what is
-above 0: so the planes of a bound over boxes are compared with it, and the delivered motion is judged where nothing else
-does. With N and D the two parts of the speed of the roller's centre in the cam's frame, tan(pressure angle) = N / D,
-v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
+Theorem. Where the follower's contact is above the cam's centre (D > 0), a limit is satisfied at a cam angle where its formula, of y, y', y'' and
+the dimensions that are searched, is at or below 0, and violated where it is above 0: the formula is the limit's excess times a positive number.
+
+With N and D the two parts of the speed of the roller's centre in the cam's frame, tan(pressure angle) = N / D,
+v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''. Formulas are used for planes of bounds over boxes, for rows
+of bounds by multipliers, and for the delivered motion.
 """
 
 from .dimensions import largest_of, middle_size

@@ -11,6 +11,9 @@ Dry friction is a constant of each stroke, 0 in dwells. As the speed approaches 
 Root mean squares are over the cycle, outside of which the axis rests:
 
     mean square = (integral of torque^2 dx + (C - L) K0^2) / C,   C: the cycle, L: the motion, in x.
+
+Theorem. `largest` and `mean_square_of` enclose the largest value of a formula of torque and speed and the mean square of the torque of the
+delivered motion, laws and dwells included. `largest_at_rest` and `square_at_rest` are lower bounds of these at every speed above 0.
 """
 import math
 

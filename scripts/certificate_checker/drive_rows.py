@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Rows of a motor in a bound.
 
-Torque and speed are linear in the motion, so are their limits and the torque's peak. A root mean square over the cycle is a norm of
-the torque, which is affine in the motion, and with <., .> its product and z any motion
+Theorem. Torque and speed are affine in the motion, so are their limits and the torque's peak. A root mean square over the cycle is a norm of
+the torque: with <., .> its inner product and z any motion, every motion y has
 
-    rms(y) >= <torque(y), torque(z)> / |torque(z)|,    rms(y)^2 >= 2 <torque(y), torque(z)> - |torque(z)|^2.
+    rms(y) >= <torque(y), torque(z)> / |torque(z)|,    rms(y)^2 >= 2 <torque(y), torque(z)> - |torque(z)|^2,
 
-Which z is free. That of the delivered motion is taken; where none is delivered, the one that the multipliers themselves prefer: the
-least of all rows together, times their multipliers. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
+so that both are rows of every motion, whatever z. That of the delivered motion is taken; where none is delivered, the one at which all rows,
+times their multipliers, are least together. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
 """
 
-from .conditions import Conditions
+from .conditions import Conditions, solved
 from .drive_laws import Span, square_along
-from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, middle_of, number, product, root, shifted
+from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, middle_of, product, root, shifted
 from .laws import ends_of_law
 from .prescribed import value_beside
 from .rational import Fraction
@@ -252,26 +252,12 @@ def least_of_form(conditions, matrix, slope):
     for _ in range(3):
         gradient = [sum((matrix[i][m] * control[m] for m in range(size) if matrix[i][m]), slope[i]) for i in range(size)]
         right = [-float(sum((w * gradient[i] for i, w in own.items()), Fraction(0))) for own in reach]
-        for own, by in zip(reach, eliminated([list(line) for line in reduced], right)):
-            by = number(by)
+        steps = solved([[*line, down] for line, down in zip(reduced, right)])
+        if steps is None:
+            raise Unverified("a root mean square that does not see the whole motion")
+        for own, by in zip(reach, steps):
             for i, w in own.items():
                 control[i] += w * by
         control = [Fraction(round(c * 2**110), 2**110) if i in free else c for i, c in enumerate(control)]
         control = conditions.completed(control)
     return control
-
-
-def eliminated(a, right):
-    """The solution of a x = right, in doubles: a is symmetric and above 0."""
-    size = len(right)
-    for i in range(size):
-        if a[i][i] <= 0:
-            raise Unverified("a root mean square that does not see the whole motion")
-        for r in range(i + 1, size):
-            factor = a[r][i] / a[i][i]
-            if factor:
-                a[r] = [x - factor * y for x, y in zip(a[r], a[i])]
-                right[r] -= factor * right[i]
-    for i in reversed(range(size)):
-        right[i] = (right[i] - sum(a[i][m] * right[m] for m in range(i + 1, size))) / a[i][i]
-    return right

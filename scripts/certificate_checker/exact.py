@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What is computed with: fractions, enclosures of irrational numbers, polynomials."""
+"""Exact arithmetic: fractions, enclosures of irrational numbers between fractions, polynomials.
+
+Theorem. `root`, `PI` and `tangent` lie between the two fractions returned (Machin's and Taylor's series alternate with falling terms, so that the
+sum lies between two partial sums). `largest` encloses the maximum of polynomials over intervals: it lies below the largest Bernstein
+coefficient, and at or above the value at each end of a part (de Casteljau).
+"""
 import functools
 import heapq
 import math
@@ -99,8 +104,9 @@ def add_to(function, row, factor=1):
 
 
 def value_at(polynomial, t):
-    total = Fraction(0)
-    for coefficient in reversed(polynomial):
+    """Of numbers, or of coefficients or a place that are enclosed."""
+    total = polynomial[-1]
+    for coefficient in reversed(polynomial[:-1]):
         total = total * t + coefficient
     return total
 

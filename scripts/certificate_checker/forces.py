@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The load of a follower: mass, spring, preload, viscous damping, and a load over the cam angle; of an arm inertia and moments."""
+"""The load of a follower: mass, spring, preload, viscous damping, and a load over the cam angle; of an arm inertia and moments.
+
+Theorem. F = mass speed^2 s'' + damping speed s' + rate s + preload + load, in N, speed in unit angles a second; of an arm s is an angle
+in rad, F a moment in N m. F is affine in (speed^2, speed), and over a range of speeds these lie in the convex hull of `corners`: a limit
+that is satisfied at all corners and is convex in F is satisfied at every speed of the range.
+"""
 
 from .exact import Unverified, number
 from .rational import Fraction

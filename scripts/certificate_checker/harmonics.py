@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Harmonics of the lift over one revolution, by the definition of docs/cams.md (spring surge).
 
-With y in lifts, b = rad of a unit of x and w = k b the amplitude of harmonic k is |E|, E = b / pi times the integral of y exp(i w x) dx. By
-parts that is, of polynomials, a sum over the ends of their pieces. Other laws are not known here.
+Theorem. With y in lifts, b = rad of a unit of x and w = k b the amplitude of harmonic k is |E|, E = b / pi times the integral of y exp(i w x) dx.
+Repeated integration by parts makes that, for polynomials, a sum over the ends of their pieces; E is affine in the control points, and
+`amplitude` encloses its coefficients. Assumption: laws along the motion are polynomials; others are not verified.
 """
 
 from .enclosures import Complex, Jet, fraction

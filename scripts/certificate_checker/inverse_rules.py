@@ -12,6 +12,9 @@ P' = theta' P*, * for turned by +90 degrees, is r' e + r phi' e*. Times e* and e
 
 tan(pressure angle) = L dpsi/dL = -L theta' / L'. The guide's curvature is (L psi'' + 2 psi' + L^2 psi'^3) / (1 + L^2 psi'^2)^(3/2), here '
 by L: psi' = -theta'/L', psi'' = -(theta'' + psi' L'') / L'^2. Its walls are regular where 1 -+ r curvature > 0, r the roller's radius.
+
+Theorem. A limit is satisfied at a place where its formula is at or below 0: the formula is the limit's excess times a positive number, as
+long as the levers that it divides by keep their sign in the box (otherwise `Unverified`).
 """
 
 from .dimensions import Dimensions

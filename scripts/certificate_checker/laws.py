@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Laws of the catalogue as formulas: f from 0 to 1 over 0 <= u <= 1, with its derivatives.
 
-Of most laws f'' has a formula piece by piece: a number and sines and cosines, or a line, up to a factor that makes f(1) = 1. Two widths
-of pieces are irrational and taken to 35 digits.
+Theorem. `pieces_of` encloses f, f', f'', f''' of a law at every u; `law_peak`, `square_integral` and `mean_of` enclose the largest value, the
+integral of the square and the mean. Of most laws f'' has a formula piece by piece: a number and sines and cosines, or a line, up to a factor
+that makes f(1) = 1. Two widths of pieces are irrational and taken to 35 digits.
 
 A law is named by its key, with numbers in place of its customary ones in brackets ("modified_sine(0.2)", "scca(sine = 1, constant = 2,
 cosine = 1, coast = 0)"). "polynomial" is, between velocities v and accelerations a of both ends by u,
@@ -13,10 +14,10 @@ import functools
 
 from . import enclosures
 from .enclosures import Jet, ends_of
-from .exact import ORDERS, PI_ITSELF, PI, Unverified, derivative, integral, middle_of, product, root, shifted
+from .exact import ORDERS, PI_ITSELF, PI, Unverified, derivative, integral, middle_of, product, root, shifted, value_at
 from .rational import Fraction
 
-PLACES, HALVINGS = 24, 90    # where a largest value is looked for in each piece, and how closely
+PLACES = 24                  # where a largest value is searched in each piece
 CLOSE = Fraction(5, 10**10)  # it is enclosed to this part of its size
 
 FIXED = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
@@ -297,14 +298,6 @@ def along(_, a, waves, begin):
     return piece
 
 
-def at_time(polynomial, t):
-    """A polynomial with coefficients that are enclosed, at a time that is."""
-    total = polynomial[-1]
-    for coefficient in reversed(polynomial[:-1]):
-        total = total * t + coefficient
-    return total
-
-
 @functools.cache
 def pieces_of(law):
     """[(width, v -> [f, f', f'', f'''])]; nothing of where f'' jumps."""
@@ -312,7 +305,7 @@ def pieces_of(law):
     if polynomials is None:
         return [(piece[0], along(*piece)) for piece in harmonic(law)]
     orders = [(width, [[constant(c) for c in derivative(y, order)] for order in range(4)]) for width, y in polynomials]
-    return [(width, lambda v, own=own: [at_time(c, v) for c in own]) for width, own in orders]
+    return [(width, lambda v, own=own: [value_at(c, v) for c in own]) for width, own in orders]
 
 
 def ends_of_law(law, order):
@@ -347,42 +340,6 @@ def parts_along(stretch, orders):
 
 
 # -- largest values and integrals
-
-def largest_value(pieces, what):
-    """(low, high) around the largest of values (width, v -> value) over 0 <= v <= width."""
-    places = [(ends_of(value(constant(width * i / PLACES)))[0], i, width, value) for width, value in pieces for i in range(PLACES + 1)]
-    low = max(places, key=lambda own: own[0])[0]
-    size = max(abs(own[0]) for own in places)
-    for _, i, width, value in sorted(places, key=lambda own: -own[0])[:2]:
-        low = max(low, refined(value, width * max(0, i - 1) / PLACES, width * min(PLACES, i + 1) / PLACES))
-    high = low + size * CLOSE
-    for width, value in pieces:
-        if enclosures.least(lambda numbers, value=value: high - value(numbers[0]),
-                            [enclosures.interval(Fraction(0), width)], 0) is None:
-            raise Unverified(f"the largest {what} along a law")
-    return low, high
-
-
-def refined(value, begin, end):
-    """The largest of a value between two places, where it has one maximum: golden section."""
-    golden = Fraction(618033988749895, 10**15)
-    inner = [end - golden * (end - begin), begin + golden * (end - begin)]
-    found = [ends_of(value(constant(x)))[0] for x in inner]
-    for _ in range(HALVINGS // 2):
-        if found[0] < found[1]:
-            begin, inner, found = inner[0], [inner[1], None], [found[1], None]
-            inner[1] = rounded(begin + golden * (end - begin))
-            found[1] = ends_of(value(constant(inner[1])))[0]
-        else:
-            end, inner, found = inner[1], [None, inner[0]], [None, found[0]]
-            inner[0] = rounded(end - golden * (end - begin))
-            found[0] = ends_of(value(constant(inner[0])))[0]
-    return max(found)
-
-
-def rounded(x):
-    return Fraction(round(x * 2**100), 2**100)
-
 
 @functools.cache
 def square_integral(law, order):
@@ -460,4 +417,5 @@ def law_peak(law, name):
             found = piece(v)
             return sign * (found[1] * found[2] if name == "torque" else found[ORDERS[name]])
         return at
-    return largest_value([(width, value(piece, sign)) for width, piece in pieces_of(law) for sign in (1, -1)], name)
+    return enclosures.largest([(0, width, value(piece, sign)) for width, piece in pieces_of(law) for sign in (1, -1)], PLACES, CLOSE,
+                              f"{name} along a law")

@@ -9,6 +9,8 @@ its parts along d and across it are
 
 d turns by psi' towards (cos psi, -sin psi), so that the path bends by w psi' across d beside w' along d: its curvature, > 0 where the plate
 below it is convex, is (sense w psi' N - D w') / v^3 where psi' turns, -D s'' / v^3 where it does not.
+
+Theorem. As of disk_rules.py, with the N, D and curvature above.
 """
 
 from .disk_rules import DiskRules

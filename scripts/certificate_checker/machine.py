@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""A machine: no motions at the speed that is said to be impossible, and the delivered ones keep every clearance."""
+"""A machine: several axes on one master, with clearances between them.
+
+Theorem. At a speed that is said to be impossible, multipliers of rows of all axes and clearances together are a contradiction (Farkas), and where
+limits only tighten with speed (`only_tightens`) there is no motion above it. The delivered motions satisfy their own limits (each axis is
+judged as a scene) and every clearance at every master angle, to within KEPT. If no speed is left to gain, no motions have less in total
+than the bound of all axes together.
+"""
 import json
 import tomllib
 
@@ -9,9 +15,9 @@ from .cam import Cam
 from .conditions import Conditions
 from .drive import Drive
 from .enclosures import ends_of
-from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted
+from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted, value_at
 from .known import name_unknown_of_machine, name_what_is_unknown
-from .laws import at_time, constant, parts_along, polynomial_of
+from .laws import constant, parts_along, polynomial_of
 from .motion import Curve
 from .origins import Origin, read_certificate
 from .prescribed import state_at
@@ -203,7 +209,7 @@ def stays_below(polynomial, formulas, most):
     if formulas:
         def room(numbers):
             own = [size * formula(numbers[0]) for size, formula in formulas]
-            return most - sum(own, at_time([constant(c) for c in polynomial], numbers[0]))
+            return most - sum(own, value_at([constant(c) for c in polynomial], numbers[0]))
         return enclosures.least(room, [enclosures.interval(Fraction(0), Fraction(1))], 0) is not None
     return largest([(polynomial, Fraction(1))])[1] <= most
 

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The distance of a motion from the rows of a measured table, as terms of the objective: the largest, and the root mean square."""
+"""The distance of a motion from the rows of a measured table, as terms of the objective: the largest, and the root mean square.
+
+Theorem. y less the displacement of a row is affine in the motion. So the largest distance is at least +-(y - row) of each row, and the root mean
+square, a norm, is at or above its tangent at any motion z: rms(y) >= <y, z> / |z|.
+"""
 import math
 
 from .enclosures import ends_of

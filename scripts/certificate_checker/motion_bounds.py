@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Linear rules on the motion itself: limits of one side, corridors, and the lost area."""
+"""Linear rules on the motion itself: limits of one side, corridors, and the lost area.
+
+Theorem. Every motion of the scene satisfies sign * y^(order) <= most of each `MotionBound` from `begin` to `end`; the delivered motion does so at
+every x to within KEPT (`keep_bounds`). The lost area, 1 - the mean displacement in lifts, is affine in the control points (`lost_area`).
+"""
 
 import itertools
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What rows of proofs say of themselves: the fields of certificate.json (docs/results.md), never its words."""
+"""What rows of proofs say of themselves: the fields of certificate.json (docs/results.md), never its words.
+
+No theorem: a row is built from the scene by the rule and the place that its fields name. A field that is wrong names another true row.
+"""
 import json
 
 from .exact import Unverified, number

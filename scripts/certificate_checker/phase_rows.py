@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Rows of amplitudes in a bound: of an elastic follower's vibration, and of harmonics of the lift.
 
-Both are |E|, E complex and affine in the motion (train.py, at every speed of a range; harmonics.py). For any number u of magnitude 1
-that is at least Re(conj(u) E), which is affine. certificate.json names the speed or the harmonic of such a row, not its u: which is
-taken is free. The checker takes that of the delivered motion where there is one, turned such that with the other rows as little as
-can be is left.
+Theorem. Both are |E|, E complex and affine in the motion (train.py, at every speed of a range; harmonics.py). For any u of magnitude 1
+|E| >= Re(conj(u) E), which is affine: a row of every motion, whatever u. certificate.json names the speed or the harmonic of such a row, not
+its u. The checker takes that of the delivered motion where there is one, turned such that as little as possible is left of all rows.
 """
 
 from .exact import add_to, number, root

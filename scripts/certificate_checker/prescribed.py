@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
+"""Motions of laws and dwells only: there is exactly one.
+
+Theorem. Its peaks are those of its laws (`peak_of`). The scene is infeasible where that motion violates a limit at the place that the proof names
+(`judge_passed_limit`). Only dimensions of the cam may be chosen: each place that the proof names gives a lower bound of the one searched
+dimension, hence of the objective (`bound_of`).
+"""
 
 from .enclosures import Jet, ends_of
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, root, tangent

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The problem, from the scene alone."""
+"""The problem, from the scene alone.
+
+Theorem. The motions of the scene are the splines of `runs` that satisfy their conditions, joined with the laws and dwells of `stretches`; the
+objective is the sum of weight * term over `terms` plus what dimensions cost, and the limits are `terms` with a cap, `motion_caps`, `bounds`
+and those of the cam, the drive and the elastic follower. Assumption: the scene has passed known.py. Angles and units meet exactly, or with
+pi to 35 digits.
+"""
 import itertools
 
 from .conditions import AT_LIMIT, REST

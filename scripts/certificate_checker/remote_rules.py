@@ -19,6 +19,9 @@ the angle of u,
 
 The roller's centre moves across u, the common normal is (C_u - s l w', C_a) / |V|: tan(pressure angle) = (C_u - s l w') / C_a.
 The contact point, fixed to the lever, moves across l u - r normal instead, which makes the numerator C_u - s l w' - r |V| / l.
+
+Theorem. A limit is satisfied where its formula is at or below 0: the formula is the limit's excess times a positive number, as long as the
+levers that it divides by keep their sign in the box (otherwise `Unverified`). Assumption: the linkage stays in the branch of the scene.
 """
 
 from .dimensions import Dimensions, middle_size

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a motion is made of, and what its objective is."""
+"""What a motion is made of, and what its objective is.
+
+Theorem. A `Row` is an inequality, function . c + searched . dimensions - peak <= most, that the module which makes it proves for every motion.
+"""
 
 from .conditions import Conditions
 from .exact import ORDERS, add_to

@@ -6,6 +6,9 @@ The roller's axis moves across the cam's surface with V_u along its travel and V
 is regular where  1 - R (A . n - 2 F M) / W^2 - (R M / W)^2 = g > 0,  n the flank's normal, one for either side, R half the width of the
 groove. A force F on the follower presses with F / (lever |V_b| / W) along the normal, on the flank that pushes it on where F > 0, and over
 the width b of the roller with the pressure sqrt(N / (pi b C radius)), radius = r R g q / (r q^2 + (R - r) g), q^2 = 1 + (R M / W)^2.
+
+Theorem. A limit is satisfied at a station (a flank and a part of the roller's length) where its formula is at or below 0; `margin` holds at
+every part of the length.
 """
 
 from .dimensions import largest_of, middle_size

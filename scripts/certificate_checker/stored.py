@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The file's own arithmetic."""
+"""The file's own arithmetic, repeated exactly.
+
+Theorem. `stored_bound` is the number that the file's own rows, multipliers and box prove by weak duality; the box contains the delivered motion
+(`check_box`). Nothing else relies on these rows: bound.py builds its own.
+"""
 
 import itertools
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Tolerances: every limit holds for all cams within them.
 
-A made cam moves its follower by y + e_0 with slopes y' + e_1, y'' + e_2, |e_r| <= E_r in lifts by x^r, and its numbers lie within half a
-width of those of the scene. A row at any cam within them is a row of the scene, since the scene demands all of them; the delivered motion
-is held against every choice of ends. What lies between the ends is not looked at along it: camopt encloses that (between_ends.hpp)."""
+Theorem. A made cam moves its follower by y + e_0 with slopes y' + e_1, y'' + e_2, |e_r| <= E_r in lifts by x^r, and its numbers are within half a
+width of those of the scene. A row at any cam within the tolerances is a row of the scene, since the scene demands all of them; the delivered
+motion is judged at every choice of ends. Cams between the ends are not judged along it: camopt encloses those (between_ends.hpp).
+"""
 import itertools
 import re
 

@@ -21,13 +21,17 @@ Let J(x) be the same integral of y''; that of y' is (J - y') / L. By parts, with
 After the last breakpoint, at rest, nothing of the second sum is left: there E = ((1 - s) 2 z w / L - s) J.
 
 The force on the cam in units of K lift:  s P / (K lift) + s (1 - s) y + 2 z / w (1 - s) y' - s e - 2 z / w e'.
+
+Theorem. `residual` encloses the largest amplitude of the free vibration after the motion over all speeds of the range, `keep_force` proves that
+the force on the cam is at or above its limit at every instant and speed. Assumptions: one mass, damped below critical, at rest before each
+run of splines.
 """
 import itertools
 
 from . import enclosures
 from .enclosures import Complex, Jet
-from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
-from .laws import at_time, constant, harmonic
+from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, root, times, value_at
+from .laws import constant, harmonic
 from .rational import Fraction
 from .runs import Peak
 from .units import in_unit
@@ -139,24 +143,8 @@ class Train:
 
     def largest(self, formula):
         """(low, high) around the largest root of a formula of the time, over the speeds of the range."""
-        low, high = self.times
-
-        def at(time):
-            return enclosures.at_place(formula, [enclosures.interval(time)[0]]).value[0]
-
-        places = [low + (high - low) * Fraction(i, PLACES) for i in range(PLACES + 1)]
-        values = [at(place) for place in places]
-        best = max(range(len(places)), key=values.__getitem__)
-        a, b = places[max(0, best - 1)], places[min(PLACES, best + 1)]
-        while b - a > (high - low) / 10**9:
-            left, right = (number(float(a + (b - a) * Fraction(part, 3))) for part in (1, 2))
-            a, b = (left, b) if at(left) < at(right) else (a, right)
-        peak = max(values + [at(a), at(b)])
-        enough = -peak - enclosures.multiplied((peak, peak), enclosures.interval(SAME_PEAK))[1]
-        ends = [enclosures.interval(low)[0], enclosures.interval(high)[1]]
-        if enclosures.least(lambda z: -formula(z), [tuple(ends)], enough) is None:
-            raise Unverified("the largest amplitude over the speeds")
-        return enclosures.fraction(enclosures.rooted((peak, peak))[0]), enclosures.fraction(enclosures.rooted((-enough,) * 2)[1])
+        squares = enclosures.largest([(*self.times, formula)], PLACES, SAME_PEAK, "amplitude over the speeds")
+        return root(squares[0])[0], root(squares[1])[1]
 
     def residual(self, curve):
         """(low, high) around the largest amplitude after the motion, over the speeds of the range."""
@@ -167,7 +155,7 @@ class Train:
         """The same after one run."""
         if k not in self.memory:
             jumps = self.jumps_of([(p, w) for p, w, _, _ in curve.cam_pieces()[k]])
-            self.memory[k] = self.largest(lambda z: self.amplitude_square(self.rung(jumps, z[0])[-1], z[0]))
+            self.memory[k] = self.largest(lambda time: self.amplitude_square(self.rung(jumps, time)[-1], time))
         return self.memory[k]
 
     def residual_of_law(self, law):
@@ -175,8 +163,8 @@ class Train:
         exp(L (t - u)) exp(i g u) is (h - exp(L t)) / (i g - L), its real and its imaginary part by +g and -g."""
         parts, half = harmonic(law), constant(Fraction(1, 2))
 
-        def formula(z):
-            exponent = self.exponent(z[0])[0]
+        def formula(time):
+            exponent = self.exponent(time)[0]
             total = Complex(constant(0), constant(0))
             for width, a, waves, _ in parts:
                 t = constant(width)
@@ -189,7 +177,7 @@ class Train:
                     spun = (turn.scaled(t).exponential() - gone) * (turn - exponent).inverse()
                     own = own + spun * Complex(c * half, -sign * b * half)
                 total = total * gone + own
-            return self.amplitude_square(total, z[0])
+            return self.amplitude_square(total, time)
         return self.largest(formula)
 
     def residual_functions(self, run, time):
@@ -235,7 +223,7 @@ class Train:
             def room(z, i=i, orders=orders):
                 t, time = z
                 exponent, w, v = self.exponent(time)
-                states = [at_time(c, t) for c in orders]
+                states = [value_at(c, t) for c in orders]
                 powers = self.powers(exponent, HIGHEST - 2)
                 driven = begun(i, time) * exponent.scaled(t).exponential()
                 for power, state in zip(powers, states[2:]):

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The verdict."""
+"""The verdict.
+
+Theorem. CONFIRMED: the delivered motion satisfies the conditions exactly and all limits to within KEPT, its objective is the stated one to within
+STATED, and no motion of the scene has an objective below the stated bound by more than a tenth of solver.gap; for "optimal" the gap is
+closed, for "infeasible" the scene has no motion. REFUTED: a claim is false or the files do not prove it. NOT VERIFIED: neither; what is
+missing is named.
+"""
 import json
 import sys
 import tomllib
