@@ -17,10 +17,10 @@ from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
 from .tolerance import MadeRules, Tolerances
 from .disk_rules import LOADED, DiskRules, Side, TwoSides
-from .exact import (
-    KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, value_at)
+from .exact import KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, largest_magnitude, middle_of, number, root, value_at
 from .forces import Forces
 from .harmonics import Harmonics
+from .enclosures import ends_of
 from .laws import constant, parts_along
 from .motion_bounds import keeps
 from .origins import rows_of
@@ -52,7 +52,7 @@ class Cam:
         self.lift = problem.lift[0]
         weights = {n: number(problem.objective.get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
-        self.cost = exactly(Fraction(0))  # of the dimensions as they were found
+        self.cost = Fraction(0), Fraction(0)  # of the dimensions as they were found
         if not self.direct:
             return self.be_other(scene, result, weights)
         slides = self.kind == "linear"
@@ -73,11 +73,11 @@ class Cam:
         self.sizes = given | self.found(result, dict.fromkeys(given, "m"))
         self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
                          Fraction(0))
-        self.cost = exactly(self.fixed + sum((self.weights[name] * abs(self.sizes[name]) for name in self.searched
-                                              if self.sizes[name] is not None), Fraction(0)))
+        self.cost = (self.fixed + sum((self.weights[name] * abs(self.sizes[name]) for name in self.searched
+                                       if self.sizes[name] is not None), Fraction(0)),) * 2
         if any(key.startswith("spring_harmonic_") for key in problem.limits):
             problem.harmonics = Harmonics(problem, scene)
-        self.beta = enclosed(problem.unit_angle)
+        self.beta = ends_of(enclosed(problem.unit_angle))
         self.width = self.width_of(cam, scene)
         self.pressure = self.pressure_limits()
         self.form = cam.get("form", "open")
@@ -112,7 +112,7 @@ class Cam:
         self.searched = self.rules.searched
         self.forces = getattr(self.rules, "forces", None)
         found = self.found(result, self.rules.units)
-        sizes, unit = self.rules.sizes | found, self.rules.cost_unit()
+        sizes, unit = self.rules.sizes | found, ends_of(self.rules.cost_unit())
         used = {name: weight for name, weight in weights.items() if weight}
         if not set(used) <= set(sizes):
             raise Unverified("dimensions of this kind of cam in the objective")
@@ -143,7 +143,7 @@ class Cam:
             return TwoSides(make(Side(1, wider)), make(Side(-1, wider, None, -1)))
         if self.form != "conjugate":
             raise Unverified(f'cam.form = "{self.form}"')
-        turn = exactly(dimension_of(cam, "roller_distance"))
+        turn = constant(dimension_of(cam, "roller_distance"))
         if self.swings:
             turn = enclosed(angle_of(cam, "arm_angle"))
         second = {"second_" + name: dimension_of(cam, "second_" + name) or sizes.get(name, Fraction(0))
@@ -179,7 +179,7 @@ class Cam:
         """(low, high) around half the width of a flat face, of a round one that of its chord beside the contact line; or None."""
         half, radius = dimension_of(cam, "face_half_width"), dimension_of(cam, "face_radius")
         contact = number(scene.get("forces", {}).get("contact_width_m", 0))
-        return root(radius**2 - contact**2 / 4) if radius else exactly(half) if half else None
+        return root(radius**2 - contact**2 / 4) if radius else (half, half) if half else None
 
     def found_parts(self):
         """What was found of the dimensions that are searched, as rules take them."""

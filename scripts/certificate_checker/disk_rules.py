@@ -9,13 +9,13 @@ v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''. 
 of bounds by multipliers, and for the delivered motion.
 """
 
-from .dimensions import largest_of, middle_size
-from .enclosures import Jet
-from .exact import PI, exactly, middle_of, number, tangent, times
+from .dimensions import FollowerMotion, largest_of, middle_size
+from .enclosures import PI, tangent
+from .exact import middle_of, number
 from .forces import Forces
 from .laws import constant
 from .rational import Fraction
-from .units import dimension_of, enclosed
+from .units import dimension_of
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
 LOADED = "contact_force_min_n", "contact_force_max_n", "torque_max_nm", "hertz_pressure_max_mpa"
@@ -41,10 +41,10 @@ def carried_at(most, problem, given):
     own = Forces(problem, problem.scene)
     swing = own.mass * problem.turns_per_second()**2 * own.lift
     unit = middle_of((max(own.preload, (swing + own.largest_load()) / 100, Fraction(1, 1000)),) * 2)[0]
-    return unit, Jet.number(*times(PI, exactly(compliance * number(given["contact_width_m"]) * most**2 / unit)))
+    return unit, PI * (compliance * number(given["contact_width_m"]) * most**2 / unit)
 
 
-class DiskRules:
+class DiskRules(FollowerMotion):
     """`dimensions`: of names, the number, or (lowest, highest) where it is searched. Lengths in m, angles in rad. `room`:
     by how much a rule may be passed, in parts of its limit."""
 
@@ -57,7 +57,7 @@ class DiskRules:
         self.dimensions = dimensions if "roller_radius" in dimensions else dimensions | {"roller_radius": Fraction(0)}
         self.swings = follower.startswith("oscillating")
         self.searched = [name for name, size in dimensions.items() if isinstance(size, tuple)]
-        self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
+        super().__init__(problem)
         self.roller = follower in ("translating_roller", "oscillating_roller")
         # On the follower at the cam angle that is looked at, N: set anew where it is not the same everywhere.
         self.load = constant(0)
@@ -72,10 +72,9 @@ class DiskRules:
     # -- the motion and the cam
 
     def states(self, numbers):
-        """s, s', s'' from y, y', y'': each is lift / unit angle^order times it."""
-        lift, inverse = Jet.number(*self.lift), Jet.number(*self.beta).inverse()
-        lift = -lift if self.side.turn else lift
-        return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
+        """The other way in a mirror."""
+        found = super().states(numbers)
+        return [-s for s in found] if self.side.turn else found
 
     def sizes(self, numbers):
         """The dimensions; those searched stand behind y''' in parts of their largest magnitude."""
@@ -92,13 +91,13 @@ class DiskRules:
             offset = size["offset"]
             start = self.start(prime, offset)
             if second:
-                start, offset = Jet.number(*second) - start, size["second_offset"]
+                start, offset = second - start, size["second_offset"]
             return slope - offset * sense, start + s, slope, constant(1), bend
         distance, arm = size["center_distance"], size["arm_length"]
         start = (distance.square() + arm.square() - prime.square()) * (2 * distance * arm).inverse()
         rest = (1 - start.square()).root(), start
         if second:
-            rest, arm = self.turned(-rest[0], rest[1], Jet.number(*second)), size["second_arm_length"]
+            rest, arm = self.turned(-rest[0], rest[1], second), size["second_arm_length"]
         sine, cosine = self.turned(*rest, s)
         turning = 1 + slope * sense
         end = arm * turning
@@ -210,8 +209,8 @@ class DiskRules:
         """sign N cos - D sin, in parts of the reach. The upper side is that of the rise; an arm that rises with a clockwise
         cam, and the mirror of a second roller that is pushed, have it below."""
         steep = tangent(limit)
-        cosine = (1 + Jet.number(*steep).square()).root().inverse()
-        sine, inverse = cosine * Jet.number(*steep), constant(1 / self.reach())
+        cosine = (1 + steep.square()).root().inverse()
+        sine, inverse = cosine * steep, constant(1 / self.reach())
 
         def rule(numbers):
             if self.follower == "oscillating_flat":

@@ -18,9 +18,8 @@ delivered motion, laws and dwells included. `largest_at_rest` and `square_at_res
 import math
 
 from .drive_laws import Span, largest_along, square_along
-from .enclosures import ends_of
-from .exact import (
-    KEPT, PI_ITSELF, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted)
+from .enclosures import PI_ITSELF, ends_of
+from .exact import KEPT, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted
 from .laws import ends_of_law
 from .motion_bounds import SIDES
 from .prescribed import state_at

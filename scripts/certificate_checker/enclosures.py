@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Intervals whose ends are multiples of 2^-128, and functions that are enclosed over boxes.
 
-Theorem. If each operand encloses its number, so does each result: ends are rounded outward. sine_and_cosine and exponential sum Taylor's series
-in integers with 32 more bits, whose rounding and remainder are below the bit that is added on either side. A `Jet` encloses value, slopes
+Theorem. If each operand encloses its number, so does each result: ends are rounded outward. pi, sine, cosine and exponential are sums of
+series in integers with 32 more bits, whose rounding and remainder are below the bit that is added on either side. A `Jet` encloses value, slopes
 and second derivatives of a formula over a box by the rules of differentiation. `least` divides a box until the enclosure on each part, or
 its value in the middle less what its slopes allow, decides: the number that it returns is a lower bound over the whole box.
 """
+import functools
 import math
 
-from .exact import PI, Unverified
+from .exact import Unverified
 from .rational import Fraction
 
 BITS = 128
@@ -18,6 +19,19 @@ GUARD = 32       # more bits for series, whose rounding is then below the last b
 MOST_PARTS = 20000
 NARROW = ONE >> 10  # a box in which a formula must have a value
 GOLDEN, SECTIONS = Fraction(618033988749895, 10**15), 45
+
+
+def pi():
+    """Machin: pi / 4 = 4 arctan 1/5 - arctan 1/239, in integers. Every term is rounded down, and the series alternate with falling terms."""
+    def arctangent_of_inverse(n):
+        total, power, k = 0, (1 << BITS + GUARD) // n, 0
+        while power:
+            total += (-1)**k * (power // (2 * k + 1))
+            power, k = power // n**2, k + 1
+        return total
+
+    middle = 4 * (4 * arctangent_of_inverse(5) - arctangent_of_inverse(239))
+    return (middle >> GUARD) - 1, (middle >> GUARD) + 2
 
 
 def interval(low, high=None):
@@ -72,7 +86,7 @@ def sine_and_cosine(a):
     |sin d| <= |d|."""
     middle = (a[0] + a[1]) // 2
     if abs(middle) > 8 * ONE:  # without whole turns
-        turn = interval(*(2 * end for end in PI))
+        turn = 2 * PI.value[0], 2 * PI.value[1]
         turns = middle // turn[0]
         a = added(a, multiplied((-turns * ONE,) * 2, turn))
         middle = (a[0] + a[1]) // 2
@@ -239,6 +253,16 @@ class Jet:
     def sine_and_cosine(self):
         sine, cosine = sine_and_cosine(self.value)
         return self.through(sine, cosine, negative(halved(sine))), self.through(cosine, negative(sine), negative(halved(cosine)))
+
+
+PI = Jet(pi())
+PI_ITSELF = fraction(sum(PI.value)) / 2  # to 37 digits: far below what limits and conditions are met to
+
+
+@functools.cache
+def tangent(degrees):
+    sine, cosine = (degrees / 180 * PI).sine_and_cosine()
+    return sine * cosine.inverse()
 
 
 def over_box(formula, box):

@@ -19,9 +19,9 @@ long as the levers that it divides by keep their sign in the box (otherwise `Unv
 
 from .dimensions import Dimensions
 from .disk_rules import DiskRules
+from .enclosures import tangent
 from .laws import constant
-from .enclosures import Jet
-from .exact import exactly, number, tangent
+from .exact import number
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of
 from .origins import rows_of
 from .rational import Fraction
@@ -39,14 +39,13 @@ class InverseRules(Dimensions):
     displacements = staticmethod(DiskRules.displacements)
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
-        self.limits, self.room = problem.limits, constant(room)
-        super().__init__(given_in(scene["cam"], NAMES), found or {})
-        self.lift, self.beta = exactly(problem.lift[0]), enclosed(problem.unit_angle)
+        super().__init__(problem, given_in(scene["cam"], NAMES), found or {}, room)
+        self.beta = enclosed(problem.unit_angle)
         self.side, self.nearer = self.branch()
 
     def cost_unit(self):
         """What dimensions in the objective are divided by."""
-        return self.lift
+        return self.units_of_motion[0]
 
     def branch(self):
         """Which way along the rocker's line, and which of the two places there, is the pin of the scene: P . e < 0 at the nearer one.
@@ -87,14 +86,13 @@ class InverseRules(Dimensions):
         """L, L', L'' by the cam angle, at a place in rises."""
         inverse, length = self.size("roller_angle").inverse(), self.size("roller_end") - self.size("roller_rest")
         begin = ((self.size("roller_from") - self.size("roller_rest")) * length.inverse()).root()
-        part = begin + x * Jet.number(*self.beta) * inverse  # of the stroke
+        part = begin + x * self.beta * inverse  # of the stroke
         return self.size("roller_rest") + length * part.square(), 2 * length * part * inverse, \
             2 * length * inverse.square()
 
     def state(self, numbers):
         self.choose(numbers)
-        inverse, lift = Jet.number(*self.beta).inverse(), Jet.number(*self.lift)
-        return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse.square()
+        return self.states(numbers)
 
     # -- the rules
 
@@ -121,7 +119,7 @@ class InverseRules(Dimensions):
 
     def pressure(self, limit, sign):
         """sign (-L theta') cos(limit) <= L' sin(limit), over cos(limit) L |dtheta/ds|: linear in the feeder's velocity."""
-        steep = Jet.number(*tangent(limit))
+        steep = tangent(limit)
 
         def rule(numbers, x):
             s, slope, _ = self.state(numbers)

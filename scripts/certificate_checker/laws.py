@@ -13,8 +13,8 @@ an acceleration that is not given the one that makes the highest coefficient van
 import functools
 
 from . import enclosures
-from .enclosures import Jet, ends_of
-from .exact import ORDERS, PI_ITSELF, PI, Unverified, derivative, integral, middle_of, product, root, shifted, value_at
+from .enclosures import Jet, PI, PI_ITSELF, ends_of
+from .exact import ORDERS, Unverified, derivative, integral, middle_of, product, root, shifted, value_at
 from .rational import Fraction
 
 PLACES = 24                  # where a largest value is searched in each piece
@@ -269,11 +269,11 @@ def polynomial_between(begin, end):
 @functools.cache
 def harmonic(law):
     """Pieces (width, a, [(w, b, c)], [f, f'] at its beginning) of f'' = a + sum of b sin w v + c cos w v, v from there."""
-    size, pi = None, Jet.number(*PI)
+    size = None
     for _ in range(2):  # the second time with f(1) = 1
         found, begin = [], [constant(0), constant(0)]
         for width, a, waves in shape_of(law):
-            own = (width, constant(a), [(pi * (h / width), constant(s), constant(c)) for h, s, c in waves])
+            own = (width, constant(a), [(PI * (h / width), constant(s), constant(c)) for h, s, c in waves])
             if size:
                 own = (width, own[1] * size, [(w, s * size, c * size) for w, s, c in own[2]])
             found.append((*own, begin))

@@ -15,8 +15,7 @@ Theorem. As of disk_rules.py, with the N, D and curvature above.
 
 from .disk_rules import DiskRules
 from .dimensions import middle_size
-from .enclosures import Jet
-from .exact import PI, PI_ITSELF, exactly, times
+from .enclosures import PI, PI_ITSELF
 from .laws import constant
 from .units import dimension_of, enclosed
 
@@ -43,9 +42,9 @@ class LinearRules(DiskRules):
     def pitch(self, numbers):
         s, slope, bend = self.states(numbers)
         size, way = self.sizes(numbers), constant(self.way)
-        slide = size["travel"] * Jet.number(*times(exactly(2), PI)).inverse()
+        slide = size["travel"] * (2 * PI).inverse()
         if not self.swings:
-            sine, cosine = Jet.number(*enclosed(self.inclination)).sine_and_cosine()
+            sine, cosine = enclosed(self.inclination).sine_and_cosine()
             return slope + slide * sine, way * slide * cosine, constant(0), constant(1), bend
         arm = size["arm_length"]
         start = (size["base_height"] + size["roller_radius"] - size["pivot_height"]) * arm.inverse()

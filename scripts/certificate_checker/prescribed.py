@@ -6,8 +6,8 @@ Theorem. Its peaks are those of its laws (`peak_of`). The scene is infeasible wh
 dimension, hence of the objective (`bound_of`).
 """
 
-from .enclosures import Jet, ends_of
-from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, root, tangent
+from .enclosures import Jet, ends_of, tangent
+from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, root
 from .laws import constant, jumps, law_peak, parts_along, turns_back
 from .origins import Origin
 from .rational import Fraction
@@ -188,5 +188,5 @@ def least_dimension(cam, origin, state, name):
     if rule.endswith("pressure_angle_deg") and limit is not None and not cam.sizes.get("offset") and cam.follower != "translating_flat":
         # sign s' <= tan (base + roller + s)
         least = min(sign * lift * v / b for v in slope for b in cam.beta)
-        return min(least / steep for steep in tangent(limit)) - fixed - lift * s[1]
+        return min(least / steep for steep in ends_of(tangent(limit))) - fixed - lift * s[1]
     return None

@@ -9,7 +9,8 @@ pi to 35 digits.
 import itertools
 
 from .conditions import AT_LIMIT, REST
-from .exact import ORDERS, PI_ITSELF, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
+from .enclosures import PI_ITSELF
+from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
 from .laws import REVERSED, ends_of_law, is_same, polynomial_between, turns_back
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds

@@ -27,12 +27,12 @@ levers that it divides by keep their sign in the box (otherwise `Unverified`). A
 from .dimensions import Dimensions, middle_size
 from .disk_rules import DiskRules
 from .laws import constant
-from .enclosures import Jet
-from .exact import number, root, tangent, times
+from .enclosures import Jet, tangent
+from .exact import number, root
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
 from .origins import rows_of
 from .rational import Fraction
-from .units import angle_of, dimension_of, enclosed
+from .units import angle_of, dimension_of
 
 OF_THE_CAM = ("roller_radius", "roller_arm", "lever_pivot_x", "lever_pivot_y", "center_x", "center_y")
 OF_THE_LINKAGE = ("lever_arm", "lever_angle", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm", "rocker_output_arm",
@@ -52,23 +52,21 @@ class RemoteRules(Dimensions):
     displacements = staticmethod(DiskRules.displacements)
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
-        cam, linkage, self.limits, self.room = scene["cam"], scene["linkage"], problem.limits, constant(room)
-        super().__init__(given_in(cam, OF_THE_CAM) | given_in(linkage, OF_THE_LINKAGE, {"slider_angle": 90}), found or {})
+        cam, linkage = scene["cam"], scene["linkage"]
+        super().__init__(problem, given_in(cam, OF_THE_CAM) | given_in(linkage, OF_THE_LINKAGE, {"slider_angle": 90}), found or {}, room)
         self.kind, self.at_contact = linkage["type"], cam.get("pressure_angle_at") == "contact_point"
         self.sense = constant(-1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1)
         self.left = {name: constant(1 if linkage.get(name, "left") == "left" else -1)
                      for name in ("lever_branch", "rocker_branch")}
-        self.lift = enclosed(problem.lift)
-        self.beta = enclosed(problem.unit_angle)
         self.choose_middle()
         self.side = sign_of(dot(self.pivot(), across(self.roller_arm(constant(0))[0])))  # of C_a wherever the cam moves the lever
 
     def cost_unit(self):
         """What dimensions in the objective are divided by: the lift, of an output that swings times the distance of the lever's pivot."""
         if self.kind.endswith("slider"):
-            return self.lift
+            return self.units_of_motion[0]
         away = [middle_size(self.sizes[f"lever_pivot_{a}"]) - middle_size(self.sizes[f"center_{a}"]) for a in "xy"]
-        return times(self.lift, root(away[0]**2 + away[1]**2))
+        return self.units_of_motion[0] * Jet.number(*root(away[0]**2 + away[1]**2))
 
     def place(self, name):
         return self.size(name + "_x"), self.size(name + "_y")
@@ -127,12 +125,10 @@ class RemoteRules(Dimensions):
     def roller(self, numbers):
         """C_u, C_a, u's angle by the output to both orders, s' and s''."""
         self.choose(numbers)
-        lift, inverse = Jet.number(*self.lift), Jet.number(*self.beta).inverse()
-        way, rate, bend = self.roller_arm(numbers[0] * lift)
+        s, slope, acceleration = self.states(numbers)
+        way, rate, bend = self.roller_arm(s)
         pivot = self.pivot()
-        slope = numbers[1] * lift * inverse
-        return dot(pivot, way) + self.size("roller_arm"), dot(pivot, across(way)), rate, bend, slope, \
-            numbers[2] * lift * inverse.square()
+        return dot(pivot, way) + self.size("roller_arm"), dot(pivot, across(way)), rate, bend, slope, acceleration
 
     # -- the rules
 
@@ -159,7 +155,7 @@ class RemoteRules(Dimensions):
     def pressure(self, limit, sign):
         """sign (C_u - s l w') cos(limit) <= |C_a| sin(limit), over cos(limit) l |dw/ds|: linear in the output's velocity. At the
         contact point as it is, m. Where C_a has another sign than at rest nothing satisfies both sides."""
-        steep = Jet.number(*tangent(limit))
+        steep = tangent(limit)
         cosine = (1 + steep.square()).root().inverse()
 
         def rule(numbers):

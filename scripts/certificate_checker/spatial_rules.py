@@ -11,13 +11,13 @@ Theorem. A limit is satisfied at a station (a flank and a part of the roller's l
 every part of the length.
 """
 
-from .dimensions import largest_of, middle_size
+from .dimensions import FollowerMotion, largest_of, middle_size
 from .disk_rules import LOADED, TOUCHES, carried_at
 from .forces import Forces
 from .laws import constant
-from .enclosures import Jet
+from .enclosures import ends_of, tangent
 from .plane_vectors import sign_of
-from .exact import PI, exactly, number, tangent, times
+from .exact import number
 from .origins import rows_of
 from .rational import Fraction
 from .units import angle_of, dimension_of, enclosed
@@ -27,7 +27,7 @@ STATIONS = [(flank, part) for part in PARTS for flank in (1, -1)]  # in camopt's
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")
 
 
-class SpatialRules:
+class SpatialRules(FollowerMotion):
     """Lengths in m, angles in rad. `found`: of dimensions that are searched what was found; without it they are the numbers
     behind y''' in units of the largest they may be. `room`: by how much a rule may be passed."""
 
@@ -39,8 +39,8 @@ class SpatialRules:
         self.kind = "barrel" if cam["type"] == "barrel" else cam.get("follower")
         self.sizes = {name: dimension_of(cam, *self.keys(name)) for name in NAMES} | (found or {})
         self.searched, self.units = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}, dict.fromkeys(NAMES, "m")
-        self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
-        self.start = tuple(-end / 2 for end in reversed(self.lift)) if self.kind != "translating" else exactly(Fraction(0))
+        super().__init__(problem)
+        self.start = self.units_of_motion[0] * Fraction(-1, 2) if self.kind != "translating" else constant(0)
         given = angle_of(cam, "start_angle")
         if given:
             self.start = enclosed(given)
@@ -52,7 +52,7 @@ class SpatialRules:
 
     def cost_unit(self):
         """What dimensions in the objective are divided by: the lift, of what turns times the centre distance, the middle of its range."""
-        return self.lift if self.kind == "translating" else times(self.lift, exactly(middle_size(self.sizes["center_distance"])))
+        return self.units_of_motion[0] * (1 if self.kind == "translating" else middle_size(self.sizes["center_distance"]))
 
     def keys(self, name):
         """A translating follower's distance from the cam's axis is called the cylinder's radius."""
@@ -65,13 +65,12 @@ class SpatialRules:
 
     def axis(self, numbers, height):
         """V_u, V_b, F, A_u, A_b and the parts of e' of the axis at a height over its near end."""
-        lift, inverse = Jet.number(*self.lift), Jet.number(*self.beta).inverse()
-        slope, bend = numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
+        s, slope, bend = self.states(numbers)
         sense, none = constant(self.sense), constant(0)
         arm, distance, beside = (self.size(n, numbers) for n in ("arm_length", "center_distance", "lateral_offset"))
         if self.kind == "translating":
             return slope, sense * (distance - height), sense * beside, bend, -beside, none, -sense
-        sine, cosine = (Jet.number(*self.start) + numbers[0] * lift).sine_and_cosine()
+        sine, cosine = (self.start + s).sine_and_cosine()
         if self.kind == "barrel":
             rho, lateral = distance - height, arm * cosine - beside
             return arm * slope - sense * rho * sine, -sense * rho * cosine, sense * lateral, \
@@ -119,7 +118,7 @@ class SpatialRules:
 
     def pressure(self, limit, sign, part):
         """sign V_u cos - |V_b| sin, at a part of the roller's length."""
-        steep = Jet.number(*tangent(limit))
+        steep = tangent(limit)
         cosine = (1 + steep.square()).root().inverse()
         sine = cosine * steep
         above = constant(-self.sense if self.kind == "barrel" else self.sense)
@@ -158,8 +157,7 @@ class SpatialRules:
     def torque(self, sign, corner):
         """sign F s' / most - 1, s' by the cam's angle in rad."""
         factor = constant(sign / number(self.limits["torque_max_nm"]))
-        rate = Jet.number(*self.lift) * Jet.number(*self.beta).inverse()
-        return self.unscaled(lambda numbers: self.force(numbers, corner) * numbers[1] * rate * factor - 1)
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * self.states(numbers)[1] * factor - 1)
 
     def largest_force(self, pressed, corner):
         """`pressed`: the sign of the force that presses on the side."""
@@ -223,8 +221,7 @@ class SpatialRules:
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
             room = (least - 1) * square * square.root() * radius.inverse() + \
                 side * (turn - 2 * beside * tilt) + radius * tilt.square() * square.root().inverse()
-            sign, inverse = sign_of(along), Jet.number(*self.beta).inverse()
-            bend = numbers[2] * Jet.number(*self.lift) * inverse.square()
+            sign, bend = sign_of(along), self.states(numbers)[2]
             return room * (lever * sign * along).inverse() - side * sign * bend - self.room
         return rule
 
@@ -233,5 +230,6 @@ class SpatialRules:
         its least angle the index stands, and the limit says that it stands no farther aside than the limit."""
         if self.kind != "barrel" or "pressure_angle_deg" not in self.limits:
             return None
-        most = times(PI, exactly(number(self.limits["pressure_angle_deg"]) / 180))[1]
-        return (-most - self.start[1]) / self.lift[0], (most - self.start[0]) / self.lift[0]
+        most = ends_of(enclosed((number(self.limits["pressure_angle_deg"]), "deg")))[1]
+        start, lift = ends_of(self.start), ends_of(self.units_of_motion[0])[0]
+        return (-most - start[1]) / lift, (most - start[0]) / lift

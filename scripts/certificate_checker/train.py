@@ -29,8 +29,8 @@ run of splines.
 import itertools
 
 from . import enclosures
-from .enclosures import Complex, Jet
-from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, root, times, value_at
+from .enclosures import Complex, Jet, PI
+from .exact import KEPT, STATED, Refuted, Unverified, derivative, number, root, value_at
 from .laws import constant, harmonic
 from .rational import Fraction
 from .runs import Peak
@@ -74,7 +74,7 @@ class Train:
     def frequency_of(self, given, mass, back):
         """sqrt(K / m), rad/s."""
         if "natural_frequency_hz" in given:
-            return Jet.number(*times(PI, exactly(2 * number(given["natural_frequency_hz"]))))
+            return PI * (2 * number(given["natural_frequency_hz"]))
         if "natural_frequency_rad_s" in given:
             return constant(number(given["natural_frequency_rad_s"]))
         return constant((number(given["stiffness_n_m"]) + back) / mass).root()

@@ -5,7 +5,8 @@ Theorem. Lengths, forces, moments and pressures convert exactly. Degrees and rad
 enclosed (`enclosed`).
 """
 
-from .exact import PI, PI_ITSELF, Unverified, exactly, number, times
+from .enclosures import PI, PI_ITSELF, Jet
+from .exact import Unverified, number
 from .rational import Fraction
 
 INCH, POUND, POUND_FORCE = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction("4.4482216152605")
@@ -92,9 +93,9 @@ def angle_of(table, key, searched=False):
 
 
 def enclosed(angle):
-    """(low, high) around rad, of (number, "deg" or "rad"); a length is what it is."""
+    """rad, of (number, "deg" or "rad"); a length is what it is."""
     size, unit = angle
-    return times(exactly(size / 180), PI) if unit == "deg" else exactly(size)
+    return size / 180 * PI if unit == "deg" else Jet.number(size)
 
 
 def in_unit(angle, unit):

@@ -46,7 +46,7 @@ class LinkedCam(PlaneCam):
         self.roller = self.rules.sizes["roller_radius"] * MILLIMETRES
         self.swings = scene.get("linkage", {}).get("type") in ("lever", "lever_coupler_lever")
         self.set_units()
-        self.lift = interval(*enclosed(self.motion.problem.lift))
+        self.lift = enclosed(self.motion.problem.lift).value
 
 
 class RemoteCam(LinkedCam):

@@ -79,10 +79,9 @@ class PlaneCam:
         problem = self.motion.problem
         if (problem.lift[1] == "m") == self.swings:
             raise Unverified("a lift whose unit does not fit the follower")
-        lift = enclosed(problem.lift)
-        self.lift = interval(*(lift if self.swings else tuple(end * MILLIMETRES for end in lift)))
-        low, high = enclosed(problem.unit_angle)
-        self.unit_angle, self.by_angle = interval(low, high), interval(1 / high, 1 / low)
+        lift, angle = enclosed(problem.lift), enclosed(problem.unit_angle)
+        self.lift = (lift if self.swings else lift * MILLIMETRES).value
+        self.unit_angle, self.by_angle = angle.value, angle.inverse().value
 
     # -- the follower at displacement 0
 
@@ -112,7 +111,7 @@ class PlaneCam:
         if not self.swings:
             self.height = self.height - Jet.number(dimension_of(cam, "roller_distance") * MILLIMETRES)
             return
-        more, less = Jet.number(*enclosed(angle_of(cam, "arm_angle"))).sine_and_cosine()
+        more, less = enclosed(angle_of(cam, "arm_angle")).sine_and_cosine()
         sine, cosine = self.rest_sine, self.rest_cosine
         self.rest_sine, self.rest_cosine = more * cosine - less * sine, less * cosine + more * sine
 

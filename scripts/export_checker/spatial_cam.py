@@ -65,12 +65,11 @@ class SpatialCam:
             size_of(cam, name, design) * MILLIMETRES
             for name in ("roller_radius", "roller_length", "lateral_offset", "axial_offset", "center_distance", "arm_length"))
         self.radius += size_of(cam, "groove_clearance", design) * MILLIMETRES / 2  # half the width of the groove
-        low, high = enclosed(problem.lift)
-        self.lift = interval(low, high) if self.swings else interval(low * MILLIMETRES, high * MILLIMETRES)
+        lift = enclosed(problem.lift)
+        self.lift = (lift if self.swings else lift * MILLIMETRES).value
         given = angle_of(cam, "start_angle") if self.swings else None
-        self.start = interval(*enclosed(given)) if given else halved(negative(self.lift)) if self.swings else ZERO
-        low, high = enclosed(problem.unit_angle)
-        self.by_angle = interval(1 / high, 1 / low)
+        self.start = enclosed(given).value if given else halved(negative(self.lift)) if self.swings else ZERO
+        self.by_angle = enclosed(problem.unit_angle).inverse().value
 
     def place(self, rotary):
         """x as a fraction, of an angle of the table in degrees."""
