@@ -115,7 +115,7 @@ struct ProofCase {
 
 void fields(const JsonFields& json, ProofCase& one) {
     json("region", one.part.region);
-    json("parts", one.part.parts);
+    json.unless("parts", one.part.parts, std::vector<CasePart>{});
     json("infeasible", one.part.infeasible);
     json("bound", one.part.bound, infinity);
     json("proof_of_case", one.proof_of_case);

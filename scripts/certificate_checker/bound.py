@@ -35,15 +35,8 @@ def inner(a, b):
 
 
 class Bound:
-    """Weak duality. With multipliers m >= 0 of rows "function of the spline <= what it may reach" every motion has
-
-        objective >= constant + sum over peaks of (weight - its multipliers) * peak + f(spline),
-
-    f linear in the control points. Multipliers of conditions are free, and are chosen so that f does not see the
-    control points that the conditions fix. What rounding leaves in f is bounded by what derivatives can be: a motion
-    that is better than `incumbent` has peaks of at most incumbent / weight, and limits are limits.
-
-    Any motion at all is then either no better than `incumbent`, or not below the bound."""
+    """constant, peaks and functions: of the theorem, as the rows are used. `incumbent`: the objective that a motion has to be better than,
+    None: any motion counts; `relaxed`: by how much limits may be passed, relative; `curve`: the delivered motion."""
 
     def __init__(self, problem, incumbent, relaxed, curve=None, rising=None):
         self.problem, self.incumbent, self.curve = problem, incumbent, curve
@@ -210,6 +203,11 @@ class Bound:
             return self.tangents.append((found[0], multiplier * found[1], at, side))
         return self.use(found[0], multiplier * found[1])
 
+    def add_rows(self, rows, factor=1):
+        for row in rows:
+            self.add_row(row, factor)
+        return self
+
     def range_row(self, joint, upper):
         """A displacement that is free stays within one span of those given."""
         level, sign = self.problem.level_at(joint), 1 if upper else -1
@@ -334,6 +332,13 @@ class Bound:
             self.area = factor * lost, [{j: factor * w for j, w in function.items()} for function in functions]
             for own, function in zip(self.functions, self.area[1]):
                 add_to(own, function)
+
+    def least_objective(self):
+        """What follows for the objective."""
+        if self.curve:
+            self.add_root_mean_squares(self.curve)
+        self.add_area()
+        return self.value()
 
     def add_root_mean_squares(self, curve):
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""

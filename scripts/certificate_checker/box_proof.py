@@ -23,7 +23,7 @@ from .conditions import Conditions
 from .dimensions import largest_of, parts_of
 from .laws import constant
 from .origins import Origin
-from .exact import STATED, Refuted, Unverified, add_to, number
+from .exact import STATED, Refuted, Unverified, add_to, number, require_every_row
 from .rational import Fraction
 from .runs import name_in_run, name_of_peak
 
@@ -489,7 +489,7 @@ class BoxProof:
             if part["infeasible"]:
                 most, stated_most = self.follow({}, part, name)
                 if most >= 0:
-                    self.fall_short()
+                    require_every_row(self.left_out)
                     raise Refuted(f"{name} is called empty, and its multipliers contradict nothing")
                 continue
             if self.incumbent is None:
@@ -516,7 +516,3 @@ class BoxProof:
             raise Refuted("the parts do not hold everything: two splits are not opposite")
         for i in first:
             self.check_tree([leaf[1:] for leaf in leaves if leaf[0] == i])
-
-    def fall_short(self):
-        if self.left_out:
-            raise Unverified("rows of " + ", ".join(sorted(self.left_out)))

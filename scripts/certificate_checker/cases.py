@@ -45,9 +45,10 @@ def relaxed_by(proof):
 
 def region_of(case):
     """{segment: whether it rises}."""
-    if any("rises" not in part for part in case["parts"]):
+    parts = case.get("parts", [])
+    if any("rises" not in part for part in parts):
         raise Unverified("a proof by cases of " + ", ".join(case["region"]))
-    return {part["segment"]: part["rises"] for part in case["parts"]}
+    return {part["segment"]: part["rises"] for part in parts}
 
 
 def require_cover(problem, regions):
@@ -198,15 +199,9 @@ def judge_cases(parts, cases, incumbent, curve, report):
         proof = cases[case["proof_of_case"]]["proof"]
         if stored_bound(proof) < number(proof["bound"]):
             raise Refuted("the stored proof of a case does not give its bound")
-        bound = Bound(problem, incumbent, relaxed_by(proof), curve, region)
-        factor = factor_of(proof, problem)
-        for row in proof["rows"]:
-            bound.add_row(row, factor)
+        bound = Bound(problem, incumbent, relaxed_by(proof), curve, region).add_rows(proof["rows"], factor_of(proof, problem))
         if proof["statement"] == "objective":
-            if curve:
-                bound.add_root_mean_squares(curve)
-            bound.add_area()
-            values.append(bound.value())
+            values.append(bound.least_objective())
         elif bound.value(cost=False) <= 0:
             values.append(least_objective(problem))
         left_out |= bound.left_out

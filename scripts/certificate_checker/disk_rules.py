@@ -272,13 +272,9 @@ class DiskRules(FollowerMotion):
         return lambda numbers: TOUCHES - self.pitch(numbers)[1] * inverse
 
     def force(self, numbers, corner):
-        """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment, at that angle."""
-        own, (square, speed) = self.loaded, corner
-        sizes = self.sizes(numbers)
-        preload, rate = (sizes.get(name) or constant(number) for name, number in
-                         (("forces.preload", own.preload), ("forces.spring_rate", own.rate)))
-        return numbers[2] * (own.mass * square * own.lift) + numbers[1] * (own.damping * speed * own.lift) + \
-            rate * numbers[0] * own.lift + preload + self.load
+        sizes, own = self.sizes(numbers), self.loaded
+        return own.on_follower(numbers, corner, self.load, sizes.get("forces.preload") or own.preload,
+                               sizes.get("forces.spring_rate") or own.rate)
 
     def contact(self, corner):
         """F >= least."""

@@ -15,6 +15,7 @@ from .rational import Fraction
 BITS = 128
 ONE = 1 << BITS
 ZERO = (0, 0)
+NONE = {}  # derivatives of a constant
 GUARD = 32       # more bits for series, whose rounding is then below the last bit that is kept
 MOST_PARTS = 20000
 NARROW = ONE >> 10  # a box in which a formula must have a value
@@ -142,22 +143,18 @@ def halved(a):
     return a[0] >> 1, -(-a[1] >> 1)
 
 
-def product_rule(value, derivatives, other, others):
-    """value * others + other * derivatives, by variable."""
-    found = {i: multiplied(own, other) for i, own in derivatives.items()}
-    for i, own in others.items():
-        own = multiplied(own, value)
-        found[i] = added(found[i], own) if i in found else own
-    return found
-
-
 def summed(derivatives, others):
-    if not others:
-        return derivatives
+    """By variable; neither is changed."""
+    if not derivatives or not others:
+        return derivatives or others
     found = dict(derivatives)
     for i, own in others.items():
         found[i] = added(found[i], own) if i in found else own
     return found
+
+
+def times(derivatives, factor):
+    return {i: multiplied(own, factor) for i, own in derivatives.items()} if derivatives else derivatives
 
 
 class Jet:
@@ -167,8 +164,8 @@ class Jet:
 
     __slots__ = ("value", "slopes", "bends")
 
-    def __init__(self, value, slopes=None, bends=None):
-        self.value, self.slopes, self.bends = value, slopes or {}, bends or {}
+    def __init__(self, value, slopes=NONE, bends=NONE):
+        self.value, self.slopes, self.bends = value, slopes, bends
 
     @staticmethod
     def number(low, high=None):
@@ -187,13 +184,14 @@ class Jet:
 
     def __add__(self, other):
         if other.__class__ is not Jet:
-            other = Jet(interval(other))
+            return Jet(added(self.value, interval(other)), self.slopes, self.bends)
         return Jet(added(self.value, other.value), summed(self.slopes, other.slopes), summed(self.bends, other.bends))
 
     __radd__ = __add__
 
     def __neg__(self):
-        return Jet(negative(self.value), {i: negative(s) for i, s in self.slopes.items()}, {i: negative(b) for i, b in self.bends.items()})
+        return Jet(negative(self.value), {i: negative(own) for i, own in self.slopes.items()} if self.slopes else NONE,
+                   {i: negative(own) for i, own in self.bends.items()} if self.bends else NONE)
 
     def __sub__(self, other):
         return self + -other
@@ -205,13 +203,11 @@ class Jet:
         if other.__class__ is not Jet:
             other = Jet(interval(other))
         a, b = self.value, other.value
-        slopes, bends = product_rule(a, self.slopes, b, other.slopes), None
-        if self.bends or other.bends:
-            bends = product_rule(a, self.bends, b, other.bends)
-            for i in bends:
-                if i in self.slopes and i in other.slopes:
-                    bends[i] = added(bends[i], multiplied(self.slopes[i], other.slopes[i]))
-        return Jet(multiplied(a, b), slopes, bends)
+        bends = summed(times(self.bends, b), times(other.bends, a)) if self.bends or other.bends else NONE
+        for i in bends:
+            if i in self.slopes and i in other.slopes:
+                bends[i] = added(bends[i], multiplied(self.slopes[i], other.slopes[i]))
+        return Jet(multiplied(a, b), summed(times(self.slopes, b), times(other.slopes, a)), bends)
 
     __rmul__ = __mul__
 
@@ -221,8 +217,9 @@ class Jet:
 
     def through(self, value, slope, bend=None):
         """A function of this, which has such values, such a slope and half such a second derivative."""
-        bends = {i: added(multiplied(slope, own), multiplied(bend, squared(self.slopes[i]))) for i, own in self.bends.items()}
-        return Jet(value, {i: multiplied(slope, own) for i, own in self.slopes.items()}, bends)
+        bends = {i: added(multiplied(slope, own), multiplied(bend, squared(self.slopes[i]))) for i, own in self.bends.items()} \
+            if self.bends else NONE
+        return Jet(value, times(self.slopes, slope), bends)
 
     def after(self, inner):
         """This function, of one variable, of what another one gives."""
@@ -267,7 +264,7 @@ def tangent(degrees):
 
 def over_box(formula, box):
     """The formula with a variable for each interval that is one."""
-    return formula([Jet(ends, {i: (ONE, ONE)} if ends[0] < ends[1] else None) for i, ends in enumerate(box)])
+    return formula([Jet(ends, {i: (ONE, ONE)} if ends[0] < ends[1] else NONE) for i, ends in enumerate(box)])
 
 
 def at_place(formula, place):

@@ -66,6 +66,11 @@ class Forces:
             corners.append((low * high, (low + high) / 2))
         return corners
 
+    def on_follower(self, numbers, corner, load, preload, rate):
+        """F of y, y', y'' at a corner of the speeds, with the load at that cam angle."""
+        square, speed = corner
+        return (numbers[2] * (self.mass * square) + numbers[1] * (self.damping * speed) + numbers[0] * rate) * self.lift + preload + load
+
     def is_constant(self):
         return len({load for _, load in self.points}) == 1
 

@@ -99,11 +99,6 @@ def level(width, height=1):
     return width, height, []
 
 
-def mirrored(pieces):
-    """What follows them where f''(1 - u) = -f''(u)."""
-    return [(width, -a, [(h, -c, -s) if h == Fraction(1, 2) else (h, -s, c) for h, s, c in waves]) for width, a, waves in reversed(pieces)]
-
-
 def odd_sines(*amplitudes):
     """The first half of u - sum of amplitude sin 2 pi (2 k + 1) u, up to a factor."""
     return [(Fraction(1, 2), 0, [(n, a * n * n, 0) for n, a in zip((1, 3, 5), amplitudes)])]
@@ -142,7 +137,7 @@ def half_of(key, numbers):
 
 
 def turned(pieces):
-    """Pieces of f'' of 1 - f(1 - u): a wave from its end, up to a sign."""
+    """Pieces of f'' of 1 - f(1 - u), a wave from its end, up to a sign; of the second half where f(u) + f(1 - u) = 1."""
     found = []
     for width, a, waves in reversed(pieces):
         own = []
@@ -163,10 +158,10 @@ def shape_of(law):
     own = one_dwell(key, numbers)
     if own is None and key.startswith("asymmetric_"):
         half, split = half_of(key[len("asymmetric_"):], {n: x for n, x in numbers.items() if n != "split"}), numbers["split"]
-        own = half and stretched(half, 2 * split) + stretched(mirrored(half), 2 * (1 - split))
+        own = half and stretched(half, 2 * split) + stretched(turned(half), 2 * (1 - split))
     if own is None:
         half = half_of(key, numbers)
-        own = half and half + mirrored(half)
+        own = half and half + turned(half)
     if not own:
         raise Unverified(f"the law {law}")
     return turned(own) if backwards else own

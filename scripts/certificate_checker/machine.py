@@ -15,7 +15,7 @@ from .cam import Cam
 from .conditions import Conditions
 from .drive import Drive
 from .enclosures import ends_of
-from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted, value_at
+from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, require_every_row, shifted, value_at
 from .known import name_unknown_of_machine, name_what_is_unknown
 from .laws import constant, parts_along, polynomial_of
 from .motion import Curve
@@ -241,9 +241,7 @@ def judge_least_objective(axes, clearances, curves, certificate, report):
         if not axis.problem.runs:  # prescribed: its objective is a number
             value += curves[axis.name].objective()[0]
             continue
-        bounds[axis.name].add_root_mean_squares(curves[axis.name])
-        bounds[axis.name].add_area()
-        value += bounds[axis.name].value()
+        value += bounds[axis.name].least_objective()
     report.say(f"bound: no motions of the machine have less in total than {float(value):.12g}; reached: {float(reached):.12g}")
     allowed = min(axis.problem.gap for axis in axes) * max(Fraction(1), abs(reached))
     if number(stated) - value > allowed / 10 or reached - value > allowed:
@@ -266,9 +264,7 @@ def judge_impossible(axes, clearances, proof, report):
                f"rounding {float(sum(b.residual for b in bounds.values())):.1e}")
     if value > 0:
         return
-    left_out = sorted({rule for bound in bounds.values() for rule in bound.left_out})
-    if left_out:
-        raise Unverified("rows of " + ", ".join(left_out))
+    require_every_row({rule for bound in bounds.values() for rule in bound.left_out})
     raise Refuted("the multipliers do not prove that there are no motions")
 
 

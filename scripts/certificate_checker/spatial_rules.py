@@ -145,10 +145,7 @@ class SpatialRules(FollowerMotion):
         return lambda numbers: (rule(numbers) - self.room) * size
 
     def force(self, numbers, corner):
-        """mass speed^2 s'' + damping speed s' + rate s + preload + load; of what turns the moment."""
-        own, (square, speed) = self.forces, corner
-        return numbers[2] * (own.mass * square * own.lift) + numbers[1] * (own.damping * speed * own.lift) + \
-            own.rate * numbers[0] * own.lift + own.preload + self.load
+        return self.forces.on_follower(numbers, corner, self.load, self.forces.preload, self.forces.rate)
 
     def pressed(self, flank):
         """The sign of the force that presses on a flank."""
