@@ -13,7 +13,23 @@
 
 #include <Eigen/Core>
 
+#include <map>
+
 namespace camopt {
+
+// What identifies a row among those of its rule, for programs: what `RowOrigin::rule` and `remark` say in
+// words.
+struct RowFields {
+    std::string axis;  ///< of a machine: whose rule it is; empty: of no axis
+    std::string key;   ///< of the limit in the scene; of a term its own: "velocity" of a peak
+    std::string part;  ///< what the limit needs beside itself: "undercut", "contact_height", "face_turn"
+    /// Numbers of the row: "station", "harmonic", "speed_rpm" … (docs/results.md).
+    std::map<std::string, double> which;
+    /// Of a made cam: parts of the tolerances, from −1 to 1, by their names; of the motion "s", "s'", "s''".
+    std::map<std::string, double> made;
+
+    friend bool operator==(const RowFields&, const RowFields&) = default;
+};
 
 // Where a constraint row comes from, for reports and explanations. Names of rows are for users.
 struct RowOrigin {
@@ -25,6 +41,7 @@ struct RowOrigin {
     std::optional<int> order =
         {};        ///< the highest derivative that the rule reads; none: no rule of the motion
     int sign = 0;  ///< ±1 where a rule has two sides, one for each sign; else 0
+    RowFields fields = {};
 
     /// "limits.velocity_mm_s (face turns back) at x = 0.25-"; the minus: the side below x.
     [[nodiscard]] std::string text() const;

@@ -51,6 +51,9 @@ WholeMotionRule deviation_rule(const std::vector<MeasuredRow>& rows, int paramet
     parts.remark = [](WholeMotionRule::Setting setting) {
         return fmt::format("row {} {}", static_cast<int>(setting[1]) + 1, setting[0] > 0.0 ? "+" : "-");
     };
+    parts.which = [](WholeMotionRule::Setting setting) {
+        return std::map<std::string, double>{{"row", setting[1]}, {"side", setting[0]}};
+    };
     return {{"deviation", 0, false, true, {parameter}}, std::move(parts)};
 }
 

@@ -121,6 +121,9 @@ WholeMotionRule motor_peak_rule(const Scene& scene, const MotionFamily& family, 
     parts.remark = [](WholeMotionRule::Setting setting) {
         return setting[0] > 0.0 ? "torque +" : "torque -";
     };
+    parts.which = [](WholeMotionRule::Setting setting) {
+        return std::map<std::string, double>{{"torque", setting[0]}};
+    };
     return {{"motor_torque", 2, false, true, {parameter}}, std::move(parts)};
 }
 
@@ -289,7 +292,8 @@ void add_curve_bounds(std::vector<WrittenBound>& all, const Scene& scene,
                       const std::vector<DriveSpan>& spans) {
     const MotorCurve& curve = scene.limits.motor_curve;
     const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
-    const auto add = [&](const DriveSpan& span, std::array<double, 3> weights, std::string remark) {
+    const auto add = [&](const DriveSpan& span, std::array<double, 3> weights, std::string remark,
+                         std::map<std::string, double> which) {
         WrittenBound bound;
         bound.name = "motor_curve";
         bound.key = "limits.motor_curve";
@@ -298,6 +302,7 @@ void add_curve_bounds(std::vector<WrittenBound>& all, const Scene& scene,
         bound.magnitude = true;
         bound.weights = weights;
         bound.remark = std::move(remark);
+        bound.fields.which = std::move(which);
         bound.from = span.begin;
         bound.until = span.end;
         all.push_back(std::move(bound));
@@ -314,12 +319,13 @@ void add_curve_bounds(std::vector<WrittenBound>& all, const Scene& scene,
                     weights[0] += way * fall * torque.speed / most;
                     add(span, weights,
                         fmt::format("pairs {} and {}, torque {}, speed {}", i + 1, i + 2, sign_word(sign),
-                                    sign_word(way)));
+                                    sign_word(way)),
+                        {{"pair", static_cast<double>(i)}, {"torque", sign}, {"speed", way}});
                 }
         }
     for (const double sign : {1.0, -1.0})
         add({-infinity, infinity, 0.0}, {sign * torque.speed / curve.back()[0], 0.0, 0.0},
-            fmt::format("last speed, {}", sign_word(sign)));
+            fmt::format("last speed, {}", sign_word(sign)), {{"speed", sign}});
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ void add_range(CamModel& model, int segment, double least, double most) {
     for (const int sign : {1, -1}) {
         LinearBound bound{segment_key(segment, "to"), 0, sign, sign > 0 ? most : -least};
         bound.from = bound.until = at;
+        bound.fields.which["segment"] = segment;
         model.rules.push_back(bound.rule());
     }
 }
@@ -183,6 +184,7 @@ void add_epigraph(CamModel& model, const WeightedPeak& source, int index) {
             peak.scale = reference;
             peak.peak = index;
             peak.stretch = stretch;
+            peak.fields.key = derivative_names[source.order];
             model.rules.push_back(peak.rule());
         }
     };

@@ -80,6 +80,9 @@ WholeMotionRule harmonic_rule(const Scene& scene, const MotionFamily& family, in
     for (int k = 0; k < first_directions; ++k)
         parts.first.push_back({{0.0, 0.0}, {units::turn * k / first_directions}});
     parts.remark = [order](WholeMotionRule::Setting) { return fmt::format("harmonic {}", order); };
+    parts.which = [order](WholeMotionRule::Setting) {
+        return std::map<std::string, double>{{"harmonic", order}};
+    };
     return {{limit.key, 0, true, true}, std::move(parts)};
 }
 

@@ -411,8 +411,10 @@ RowOrigin GridNlp::row_origin(int index) const {
         origin = model_->rules[place.rule]->origin();
         origin.at = place.at;
         origin.side = place.side;
-        if (const WholeMotionRule* const whole = model_->rules[place.rule]->whole())
+        if (const WholeMotionRule* const whole = model_->rules[place.rule]->whole()) {
             origin.remark = whole->remark(place.setting);
+            origin.fields.which = whole->which(place.setting);
+        }
     } else if (index < equalities) {
         origin.rule = model_->design.equalities()[index].name;
     } else {

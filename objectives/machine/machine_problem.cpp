@@ -107,7 +107,7 @@ class MachineProblem::Grid final : public Nlp {
         if (clearance >= 0) {
             const Clear& clear = machine_.clearances_[clearance];
             RowOrigin origin;
-            origin.rule = clear.rule.key;
+            origin.rule = origin.fields.key = clear.rule.key;
             origin.at = clear.angles[place.row];
             origin.limit = true;
             origin.order = 0;
@@ -116,6 +116,7 @@ class MachineProblem::Grid final : public Nlp {
         const Block& block = machine_.blocks_[place.part];
         RowOrigin origin = block.problem->grid().row_origin(place.row);
         origin.rule = block.spec.name + ": " + origin.rule;
+        origin.fields.axis = block.spec.name;
         return origin;
     }
 

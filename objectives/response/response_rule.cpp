@@ -215,6 +215,10 @@ class AskedResponse {
         return events_.size() == 1 ? fmt::format("{:.6g} rpm", rpm)
                                    : fmt::format("{:.6g} rpm, motion {}", rpm, setting[1] + 1);
     }
+    /// The event counts from 0.
+    [[nodiscard]] static std::map<std::string, double> which(Setting setting) {
+        return {{"speed_rpm", setting[0] / units::revolution_per_minute}, {"event", setting[1]}};
+    }
 
  private:
     void add_places(std::vector<Place>& all, double speed, std::size_t event, const EventPieces& pieces,
@@ -290,6 +294,7 @@ std::shared_ptr<const WholeMotionRule> response_rule(const Scene& scene, const A
     parts.first = response->first();
     parts.beside = [response](AskedResponse::Setting setting) { return response->beside(setting); };
     parts.remark = [response](AskedResponse::Setting setting) { return response->remark(setting); };
+    parts.which = AskedResponse::which;
     return std::make_shared<const WholeMotionRule>(
         RuleData{asked.name, 3, asked.limit, true, std::move(parameters)}, std::move(parts));
 }

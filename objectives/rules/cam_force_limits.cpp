@@ -25,6 +25,7 @@ struct Force {
     ForceSpec spec;
     double nominal;  ///< the speed of the scene
     LoadSpeed at;
+    int load_speed = 0;                                     ///< its place in Scene::load_speeds()
     double constant = 0.0, slope = 0.0;                     ///< with a fixed preload
     int preload = -1, spring_rate = -1;                     ///< CamVariables::spring
     std::array<double, 2> between = {-infinity, infinity};  ///< x
@@ -48,6 +49,7 @@ struct Force {
     }
     /// Only on this part of the motion; linear in it, but not the same everywhere. `station`: "upper flank".
     void place(CamFormula& formula, const std::string& station = {}) const {
+        if (load_speed > 0) formula.fields.which["load_speed"] = load_speed;
         formula.of_loads = true;
         if (spring_rate >= 0) formula.linear = false;
         formula.between = between;
@@ -59,10 +61,10 @@ struct Force {
 };
 
 /// One for each line of the load.
-std::vector<Force> forces_of(const Limits& limits, const LoadSpeed& at_speed) {
+std::vector<Force> forces_of(const Limits& limits, const LoadSpeed& at_speed, int load_speed) {
     const Scene& scene = limits.scene();
     const ForceSpec& spec = *scene.forces;
-    Force force{spec, *scene.motion.speed, at_speed};
+    Force force{spec, *scene.motion.speed, at_speed, load_speed};
     force.preload = limits.variables().spring[0];
     force.spring_rate = limits.variables().spring[1];
     const double fixed = force.preload < 0 ? spec.preload : 0.0;
@@ -110,6 +112,7 @@ void add_largest_force(Limits& limits, const WrittenLimit& limit, const Force& f
             });
         formula.linear = true;
         force.place(formula, limits.cam().side_name(side));
+        if (limits.cam().sides() > 1) formula.fields.which["side"] = side;
         limits.add(std::move(formula));
     }
 }
@@ -119,6 +122,7 @@ void add_torque(Limits& limits, const WrittenLimit& limit, const Force& force) {
         CamFormula formula = cam_formula(limit.key, [=, most = limit.value](const auto& call) {
             return sign / most * (force(call) * call.velocity()) + -1.0;
         });
+        formula.fields.which["torque"] = sign;
         force.place(formula);
         limits.add(std::move(formula));
     }
@@ -161,15 +165,17 @@ void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& 
     formula.linear = limits.is_linear(cam_radius);
     formula.scale = pressure_scale;
     force.place(formula, limits.cam().station_name(station));
+    if (limits.cam().stations() > 1) formula.fields.which["station"] = station;
     limits.add(std::move(formula));
 }
 
 /// The contact lies above the cam's centre, so that the force along the normal lifts the follower.
 void add_height(Limits& limits, const std::string& key, int station) {
     const double length = limits.length();
-    CamFormula formula = cam_formula(key, [=](const auto& call) {
+    CamFormula formula = cam_formula(key + " (contact below the cam's centre)", [=](const auto& call) {
         return -1.0 / length * call.quantity(pressure_denominator, station) + least_contact;
     });
+    formula.fields = {.key = key, .part = "contact_height"};
     formula.highest_order = 0;
     formula.linear = limits.is_linear(pressure_denominator);
     limits.add_at(std::move(formula), station);
@@ -185,9 +191,8 @@ void add_contact(Limits& limits, const std::string& key) {
     // |N| cos φm <= D sin φm to both sides implies a positive height.
     const bool held = pressure.rise && pressure.back;
     for (int station = 0; station < limits.cam().stations(); ++station) {
-        if (!regular) add_regularity(limits, {least_contact, key + " (undercut)"}, station);
-        if (!held && limits.structure().binds(pressure_numerator, station))
-            add_height(limits, key + " (contact below the cam's centre)", station);
+        if (!regular) add_regularity(limits, {least_contact, key}, station, "undercut");
+        if (!held && limits.structure().binds(pressure_numerator, station)) add_height(limits, key, station);
     }
 }
 
@@ -200,8 +205,11 @@ void add_forces(Limits& limits) {
     const auto& pressure = limit_on(scene.limits, LimitedFigure::hertz_pressure);
     if (pressure) refuse_hertz_pressure(limits, *pressure, *scene.forces);
     std::vector<Force> forces;
-    for (const LoadSpeed& speed : scene.load_speeds())
-        for (Force& force : forces_of(limits, speed)) forces.push_back(std::move(force));
+    int place = 0;
+    for (const LoadSpeed& speed : scene.load_speeds()) {
+        for (Force& force : forces_of(limits, speed, place)) forces.push_back(std::move(force));
+        ++place;
+    }
     for (const Force& force : forces) {
         if (const auto& least = limit_on(scene.limits, LimitedFigure::contact_force))
             add_contact_force(limits, *least, force);

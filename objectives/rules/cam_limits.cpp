@@ -4,6 +4,8 @@
 #include "objectives/rules/made_cams.hpp"
 #include "scene/limit_table.hpp"
 
+#include <fmt/format.h>
+
 namespace camopt {
 
 namespace cam_limit_parts {
@@ -22,25 +24,30 @@ double Limits::roller(int station) const {
 
 void Limits::add_at(CamFormula formula, int station) {
     if (cam().direct() != nullptr) formula.remark = cam().station_name(station);
+    if (cam().stations() > 1) formula.fields.which["station"] = station;
     add(std::move(formula));
 }
 
-void add_regularity(Limits& limits, const WrittenLimit& limit, int station) {
+void add_regularity(Limits& limits, const WrittenLimit& limit, int station, std::string part) {
     using enum MechanismQuantity;
     if (!limits.structure().binds(regularity, station)) return;
     const double margin = limit.value;
+    const std::string name = part.empty() ? limit.key : fmt::format("{} ({})", limit.key, part);
+    RowFields fields{.key = limit.key, .part = std::move(part)};
     const int base = limits.cam().base_radius_index();
     // Of a pushed flat face (base + s + s'')/base >= margin times base is linear in the base radius too.
     if (base >= 0 && limits.is_linear(cam_radius)) {
         const double unit = limits.dimensions()[static_cast<std::size_t>(base)];
-        CamFormula formula = cam_formula(limit.key, [=](const auto& call) {
+        CamFormula formula = cam_formula(name, [=](const auto& call) {
             return margin / unit * call.dimension(base) + -1.0 / unit * call.quantity(cam_radius, station);
         });
+        formula.fields = std::move(fields);
         formula.linear = true;
         return limits.add(std::move(formula));
     }
     CamFormula formula = cam_formula(
-        limit.key, [=](const auto& call) { return -1.0 * call.quantity(regularity, station) + margin; });
+        name, [=](const auto& call) { return -1.0 * call.quantity(regularity, station) + margin; });
+    formula.fields = std::move(fields);
     formula.figure = regularity;
     formula.over = [=](const CamCallOver& call) {
         const MechanismEnclosures* const known = call.cam.enclosures();
@@ -118,6 +125,7 @@ void add_face_turn(Limits& limits, const std::string& key) {
     CamFormula formula = cam_formula(
         key, [sense](const auto& call) { return -sense * call.velocity() + (least_face_turn - 1.0); });
     formula.remark = "face turns back";
+    formula.fields.part = "face_turn";
     formula.highest_order = 1;
     formula.linear = true;
     limits.add(std::move(formula));

@@ -216,6 +216,7 @@ class Limits {
 
     void add(CamFormula formula) {
         if (!variables_->made.empty()) append_item(formula.remark, variables_->made);
+        formula.fields.made = variables_->made_parts;
         rules_.push_back(std::make_shared<CamRule>(variables_, std::move(formula)));
     }
     /// Of a rule that holds at one station of several.
@@ -229,8 +230,9 @@ class Limits {
     Rules rules_;
 };
 
-/// regularity >= margin at one station; nothing for kinds without undercut.
-void add_regularity(Limits& limits, const WrittenLimit& limit, int station);
+/// regularity >= margin at one station; nothing for kinds without undercut. `part`: of the limit, as
+/// RowFields::part; empty: the limit itself.
+void add_regularity(Limits& limits, const WrittenLimit& limit, int station, std::string part = {});
 void add_pressure(Limits& limits);
 void add_forces(Limits& limits);
 

@@ -11,6 +11,7 @@ LinearRule::LinearRule(const LinearBound& bound)
                  .parameters = bound.peak < 0 ? std::vector<int>{} : std::vector{bound.peak},
                  .sign = bound.sign,
                  .remark = bound.remark,
+                 .fields = bound.fields,
                  .places = bound.from == bound.until ? std::vector{bound.from} : std::vector<double>{},
                  .between = {bound.from, bound.until},
                  .starts_without_rows = bound.starts_without_rows}),

@@ -28,6 +28,7 @@ struct LinearBound {
     bool on_copies = false;  ///< as in PlacedRule
     SeenMotion seen = SeenMotion::output;
 
+    RowFields fields = {};             ///< as in RuleData
     bool starts_without_rows = false;  ///< as in RuleData
     /// Of a rule that is active at both ends of a stroke, from `begin` to `end`, and leaves its bound there
     /// with the powers b and e of the distance: violations are scaled by (2 ξ)^b (2 (1 − ξ))^e, ξ = 0 … 1

@@ -73,6 +73,7 @@ MadeCam with_numbers(const Scene& scene, const CamVariables& variables,
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         move_number(made, numbers[k], parts[k] * numbers[k].half_width);
         append_item(made.variables.made, word_of(numbers[k].name, parts[k]));
+        made.variables.made_parts[numbers[k].name] = parts[k];
     }
     return made;
 }
@@ -85,6 +86,7 @@ CamVariables with_motion(CamVariables variables, const ToleranceSpec& tolerance,
         if (error == 0.0) continue;
         variables.motion_error[order] = parts[order] * error;
         append_item(moved, word_of(made_cam_marks[order], parts[order]), " ");
+        variables.made_parts[made_cam_marks[order]] = parts[order];
     }
     if (!variables.made.empty()) append_item(moved, variables.made);
     variables.made = moved.empty() ? moved : std::string(made_mark) + moved;

@@ -24,7 +24,8 @@ struct CamVariables {
     std::array<int, spring_numbers.size()> spring = {-1, -1};
     /// Of a made cam (objectives/rules/made_cams.hpp): what is added to s, s', s'', SI.
     std::array<double, 3> motion_error = {};
-    std::string made = {};  ///< in its rows' remarks; empty: as on the drawing
+    std::string made = {};                          ///< in its rows' remarks; empty: as on the drawing
+    std::map<std::string, double> made_parts = {};  ///< the same as RowFields::made
     /// Number of evaluated points of the cam: shared by all rules of a problem; threads may count
     /// concurrently.
     std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);

@@ -35,8 +35,9 @@ struct RuleData {
     bool limit = true;                 ///< of the user's scene, as opposed to a peak variable's definition
     bool linear = false;               ///< affine in the point and in q: its continuous maxima are then exact
     std::vector<int> parameters = {};  ///< of the problem: which of them are q_1 … q_m
-    int sign = 0;                      ///< of its rows, as the remark (RowOrigin)
+    int sign = 0;                      ///< of its rows, as remark and fields (RowOrigin)
     std::string remark = {};
+    RowFields fields = {};            ///< without a key: the name is the key
     double scale = 1.0;               ///< a value of this is a violation of 100 %; > 0
     std::vector<double> places = {};  ///< x where alone it holds, ascending; empty: at every cam angle
     std::array<double, 2> between = {-infinity, infinity};  ///< x between which it holds, both included
@@ -52,7 +53,10 @@ class PointRule {
     [[nodiscard]] const std::string& name() const { return data_.name; }
     /// Of the rows that enforce it, without a location.
     [[nodiscard]] RowOrigin origin() const {
-        return {data_.name, data_.remark, {}, Side::right, data_.limit, data_.highest_order, data_.sign};
+        RowOrigin origin{data_.name,  data_.remark,        {},         Side::right,
+                         data_.limit, data_.highest_order, data_.sign, data_.fields};
+        if (origin.fields.key.empty()) origin.fields.key = data_.name;
+        return origin;
     }
     [[nodiscard]] const std::vector<int>& parameters() const { return data_.parameters; }
     [[nodiscard]] bool linear() const { return data_.linear; }
@@ -132,6 +136,8 @@ class WholeMotionRule final : public PointRule {
         /// Further settings whose rows are added together with those of this one.
         std::function<std::vector<std::vector<double>>(Setting)> beside = {};
         std::function<std::string(Setting)> remark = {};  ///< identifies the row: "310 rpm"
+        /// The same as numbers, as RowFields::which.
+        std::function<std::map<std::string, double>(Setting)> which = {};
         /// Of a rule that is quadratic: (form − 1) / 2, a convex form of the entries of the family, one row.
         std::function<QuadraticForm(const MotionFamily&)> form = {};
     };
@@ -156,6 +162,9 @@ class WholeMotionRule final : public PointRule {
     }
     [[nodiscard]] std::string remark(Setting setting) const {
         return parts_.remark ? parts_.remark(setting) : std::string();
+    }
+    [[nodiscard]] std::map<std::string, double> which(Setting setting) const {
+        return parts_.which ? parts_.which(setting) : std::map<std::string, double>();
     }
     [[nodiscard]] std::optional<QuadraticForm> form(const MotionFamily& family) const {
         return parts_.form ? std::optional(parts_.form(family)) : std::nullopt;

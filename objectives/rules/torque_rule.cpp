@@ -9,7 +9,9 @@ TorqueRule::TorqueRule(int sign, int parameter, double reference)
     : PointRule({.name = sign > 0 ? "+torque" : "-torque",
                  .highest_order = 2,
                  .limit = false,
-                 .parameters = {parameter}}),
+                 .parameters = {parameter},
+                 .sign = sign,
+                 .fields = {.key = "torque"}}),
       sign_(sign),
       reference_(reference) {}
 

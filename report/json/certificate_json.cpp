@@ -15,6 +15,9 @@ inline constexpr BoxStep::Kind last_of<BoxStep::Kind> = BoxStep::Kind::split;
 
 namespace {
 
+/// 2: rows and cases have fields beside their words.
+constexpr int certificate_format = 2;
+
 /// What is not 0.
 struct SparseVector {
     std::vector<int> indices;
@@ -31,6 +34,19 @@ void check_indices(const std::vector<int>& indices, std::size_t variables, const
     for (const int index : indices)
         if (index < 0 || static_cast<std::size_t>(index) >= variables)
             json.at("indices").fail(fmt::format("found {}; allowed: 0 or more, below {}", index, variables));
+}
+
+/// An object of numbers, left out where there are none.
+void named_numbers(const JsonFields& json, const std::string& key, std::map<std::string, double>& numbers) {
+    if (!json.reads()) {
+        if (numbers.empty()) return;
+        const JsonFields own = json.at(key);
+        for (auto& [name, number] : numbers) own(name, number);
+        return;
+    }
+    numbers.clear();
+    if (!json.has(key)) return;
+    for (const auto& [name, number] : json.at(key).members()) numbers[name] = number.as<double>();
 }
 
 /// A row of a proof as the file has it.
@@ -85,6 +101,12 @@ void take_rows(DualityProof& proof, const std::vector<ProofRow>& rows, const Jso
     proof.matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
+void fields(const JsonFields& json, CasePart& part) {
+    json.count("segment", part.segment);
+    json.unless("rises", part.rises, std::nullopt);
+    json.unless("angle_deg", part.angle_deg, std::nullopt);
+}
+
 /// A case as the file has it: a proof that several share is in the first of them, and the others name it.
 struct ProofCase {
     CaseProof part;
@@ -93,6 +115,7 @@ struct ProofCase {
 
 void fields(const JsonFields& json, ProofCase& one) {
     json("region", one.part.region);
+    json.unless("parts", one.part.parts, std::vector<CasePart>{});
     json("infeasible", one.part.infeasible);
     json("bound", one.part.bound, infinity);
     json("proof_of_case", one.proof_of_case);
@@ -164,11 +187,17 @@ static void fields(const JsonFields& json, Box& box, std::optional<std::size_t> 
     json.numbers("upper", box.upper, variables, infinity);
 }
 
-/// What is left out is as in a new RowOrigin: no remark, the side above x, one side.
+/// What is left out is as in a new RowOrigin: no remark, the side above x, one side. `rule` and `remark` are
+/// words for people, all other keys fields for programs.
 static void fields(const JsonFields& json, RowOrigin& origin) {
     json("rule", origin.rule);
     json("limit", origin.limit);
     json.unless("remark", origin.remark, "");
+    json.unless("axis", origin.fields.axis, "");
+    json.unless("key", origin.fields.key, "");
+    json.unless("part", origin.fields.part, "");
+    named_numbers(json, "which", origin.fields.which);
+    named_numbers(json, "made", origin.fields.made);
     json.unless("at", origin.at, std::nullopt);
     json.unless("side", origin.side, Side::right);
     json.unless("order", origin.order, std::nullopt);
@@ -233,6 +262,7 @@ static void fields(const JsonFields& json, BoxProof& proof) {
 
 static void fields(const JsonFields& json, Certificate& certificate) {
     json.shown("camopt", version());
+    json.shown("format", certificate_format);
     json("verdict", certificate.verdict);
     json("reason", certificate.reason);
     json("objective", certificate.objective, infinity);

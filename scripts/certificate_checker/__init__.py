@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The checker behind scripts/verify-certificate, which says what it does and how.
+"""The checker that scripts/verify-certificate runs. Each module states what it proves under "Theorem", and under which assumptions.
 
-It reads top down: verdict.py is the order of everything; problem.py, spaces.py and conditions.py are the scene;
-motion.py and cam.py the delivered motion and its limits; bound.py the bound by multipliers, any_curve.py that of free
-breakpoints, cases.py proofs by cases; stored.py the files' own arithmetic; drive.py a motor in place of a cam; exact.py
-what all of it is computed with.
+verdict.py is the top: it judges a result folder in the order of the program's docstring. problem.py, spaces.py, runs.py and conditions.py
+derive the problem from the scene; motion.py and cam.py judge the delivered motion; bound.py and its parts (box_proof.py, cases.py,
+any_curve.py, drive_rows.py, phase_rows.py, measured.py) derive the bound; stored.py repeats the files' own arithmetic; machine.py and
+least.py judge several scenes together. All of it is computed by exact.py (fractions, polynomials) and enclosures.py (intervals).
 """

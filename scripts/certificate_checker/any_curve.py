@@ -1,5 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The lower bound for every curve."""
+"""The lower bound for every curve, of a rise between dwells whose objective is a sum of weighted peaks V, A, J of y', y'', y'''.
+
+Theorem. Let y rise from rest at 0 to rest at 1 over a unit of x, with |y'| <= V, |y''| <= A, |y'''| <= J. The fastest motion within these peaks
+is the double-S, so that g <= 1 for the three functions g of `double_s`. Each g, each weighted peak and each peak / limit is a sum of
+exponentials of linear functions of (log V, log A, log J), hence convex in these: the tangent plane of objective + multipliers * (g - 1) at any
+point, for any multipliers >= 0, is a lower bound of the objective over every motion in the range of V, A, J (`any_curve_bound`). If a finite
+cover of that range has a g above 1 in each of its boxes, no motion exists (`require_no_curve`).
+"""
 import itertools
 import math
 

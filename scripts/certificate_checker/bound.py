@@ -1,11 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""The lower bound: weak duality."""
-import re
+"""The lower bound by weak duality.
 
+Theorem. Let "function_i(y) - peak_i <= most_i" be rows that every motion y of the scene satisfies, and m_i >= 0. Then
+
+    objective(y) >= sum over peaks of (weight - sum of their m_i) * peak - sum m_i most_i + f(y),   f = sum m_i function_i,
+
+f linear in the control points. Conditions of the scene reduce f to fewer control points; what remains of it, rounding, is bounded by what
+derivatives of y can be (`supremum_of`): a motion better than the delivered one has peaks below objective / weight, and limits bound it too.
+So no motion is below `value`; without an objective a value above 0 is a contradiction: there is no motion. Assumptions: the rows are
+derived from the scene (the file only names them), and their multipliers are arbitrary.
+"""
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, add_to, derivative, integral, number, product, root
 from .drive_rows import MotorRows
 from .motion_bounds import lost_area
+from .origins import Origin
 from .prescribed import limits_at, value_beside
 from .rational import Fraction
 from .runs import Row
@@ -13,7 +22,6 @@ from .strokes import farthest, stroke_of
 from .phase_rows import add_phase_row, use_phase_rows
 
 
-RANGE_OF_LEVEL = re.compile(r"motion\.segments\[(\d+)\]\.to")
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
 LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
@@ -27,15 +35,8 @@ def inner(a, b):
 
 
 class Bound:
-    """Weak duality. With multipliers m >= 0 of rows "function of the spline <= what it may reach" every motion has
-
-        objective >= constant + sum over peaks of (weight - its multipliers) * peak + f(spline),
-
-    f linear in the control points. Multipliers of conditions are free, and are chosen so that f does not see the
-    control points that the conditions fix. What rounding leaves in f is bounded by what derivatives can be: a motion
-    that is better than `incumbent` has peaks of at most incumbent / weight, and limits are limits.
-
-    Any motion at all is then either no better than `incumbent`, or not below the bound."""
+    """constant, peaks and functions: of the theorem, as the rows are used. `incumbent`: the objective that a motion has to be better than,
+    None: any motion counts; `relaxed`: by how much limits may be passed, relative; `curve`: the delivered motion."""
 
     def __init__(self, problem, incumbent, relaxed, curve=None, rising=None):
         self.problem, self.incumbent, self.curve = problem, incumbent, curve
@@ -178,29 +179,34 @@ class Bound:
         self.rows.append((row, multiplier))
 
     def add_row(self, row, factor=1):
-        """A row of the certificate, by its name alone: rule, place, side, derivative, sign."""
-        origin, multiplier = row["origin"], factor * number(row["multiplier"])
-        level = RANGE_OF_LEVEL.fullmatch(origin["rule"])
-        if level and multiplier > 0 and int(level[1]) + 1 in self.problem.free:
-            return self.use(self.range_row(int(level[1]) + 1, origin["sign"] > 0), multiplier)
-        if "at" not in origin or not multiplier or origin["rule"] == "area":
-            return  # conditions, limits of peaks, the area: their multipliers are chosen here
+        """A row of the certificate, by its fields alone: rule, place, side, derivative, sign."""
+        origin, multiplier = Origin.of(row["origin"]), factor * number(row["multiplier"])
+        if origin.at is None or not multiplier or origin.key == "area":
+            return None  # conditions, limits of peaks, the area: their multipliers are chosen here
+        segment = origin.which.get("segment")  # whose displacement is held in its range
+        if segment is not None and multiplier > 0 and int(segment) + 1 in self.problem.free:
+            return self.use(self.range_row(int(segment) + 1, origin.sign > 0), multiplier)
         if multiplier < 0:
             raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
         if add_phase_row(self, origin, multiplier):
             return None
-        if origin["rule"] == "deviation" and self.problem.table:
-            return self.use(self.problem.table.row(origin["remark"]), multiplier)
+        if origin.key == "deviation" and self.problem.table:
+            return self.use(self.problem.table.row(origin), multiplier)
         if self.motor and self.motor.takes(origin):
             return self.motor.add(origin, multiplier)
         at, side = self.problem.place_of(origin)
         found = self.row_of(origin, at, side, *self.run_at(at, side))
         if found is None:
-            return self.leave_out(origin["rule"], multiplier)
+            return self.leave_out(origin.key, multiplier)
         if found[0].leaning:
-            self.left_out.setdefault(origin["rule"], Fraction(0))  # another tangent could say more
+            self.left_out.setdefault(origin.key, Fraction(0))  # another tangent could say more
             return self.tangents.append((found[0], multiplier * found[1], at, side))
         return self.use(found[0], multiplier * found[1])
+
+    def add_rows(self, rows, factor=1):
+        for row in rows:
+            self.add_row(row, factor)
+        return self
 
     def range_row(self, joint, upper):
         """A displacement that is free stays within one span of those given."""
@@ -209,15 +215,12 @@ class Bound:
 
     def row_of(self, origin, at, side, k, run, stretch):
         """(the row that an origin names, what camopt's row is in units of it), or None: this checker has no use for it."""
-        order, sign, rule = origin.get("order"), origin.get("sign", 0), origin["rule"]
-        name = f"{rule} at x = {float(at)}"
-        peak = None
-        if not origin["limit"] and rule[1:] in ORDERS:
-            order, sign = ORDERS[rule[1:]], {"+": 1, "-": -1}[rule[0]]
+        order, sign, rule = origin.order, origin.sign, origin.key
+        name = str(origin)
+        if not origin.limit and rule in ORDERS:
             peak = next((i for i, t in enumerate(self.problem.terms) if t.kind == "peak" and t.order == order), None)
-            if peak is None or origin.get("order", order) != order or origin.get("sign", sign) != sign:
+            if peak is None or order != ORDERS[rule] or sign not in (1, -1):
                 raise Refuted(f"{name}: the scene has no such rule")
-        if peak is not None:
             if run is None:
                 raise Refuted(f"{name}: no spline is there")
             term = self.problem.terms[peak]
@@ -329,6 +332,13 @@ class Bound:
             self.area = factor * lost, [{j: factor * w for j, w in function.items()} for function in functions]
             for own, function in zip(self.functions, self.area[1]):
                 add_to(own, function)
+
+    def least_objective(self):
+        """What follows for the objective."""
+        if self.curve:
+            self.add_root_mean_squares(self.curve)
+        self.add_area()
+        return self.value()
 
     def add_root_mean_squares(self, curve):
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Bounds over boxes: a list of inequalities, each of which follows from earlier ones.
+"""Lower bounds over boxes (branch and bound): a list of inequalities, each of which follows from earlier ones.
 
 The proof's variables x are control points of the splines, which are numbers of the scene's own spline space, and after
 them peaks and dimensions. Every step is an inequality  weights . x <= side. Of each the checker keeps a side of its own:
@@ -8,23 +8,24 @@ them peaks and dimensions. Every step is an inequality  weights . x <= side. Of 
                  it by, rounding, is added at its worst in the box of x.
   plane          slope . z + constant may not pass the rule anywhere in the box of z = (y, y', y'', y''', dimensions or peak
                  of the rule), whose ends are those that earlier steps prove. The rule is the checker's own
-                 (disk_rules.py), its least distance from the plane is found by halving the box.
+                 (disk_rules.py), its least distance from the plane is found by dividing the box.
   derived        with the multipliers m >= 0 of earlier steps: at most sum m side + the greatest (weights - sum m weights) . x
                  of the box.
-  split          an assumption, of which another part has the opposite.
+  split          an assumption of one part, whose opposite is assumed in another part.
 
-Whatever the file claims beyond that is refuted. The box of x, too, is the checker's own: it follows from what every
-better motion must satisfy. The parts are the leaves of a tree of splits, and may rest on no other assumption than
-theirs; the least of their bounds is the bound.
+Theorem. Every motion of the scene that is better than the delivered one has an x in the box (`range_of`), and satisfies every step but the
+splits. The parts are the leaves of a binary tree of opposite splits, so that x satisfies all splits of one part, and rest on no other
+assumptions than theirs: the least of their bounds is a lower bound of the objective, and if each part is a contradiction there is no
+motion. Whatever the file claims beyond that is refuted.
 """
-import re
-
 from . import enclosures
 from .conditions import Conditions
 from .dimensions import largest_of, parts_of
 from .laws import constant
-from .exact import ORDERS, STATED, Refuted, Unverified, add_to, number
+from .origins import Origin
+from .exact import STATED, Refuted, Unverified, add_to, number, require_every_row
 from .rational import Fraction
+from .runs import name_in_run, name_of_peak
 
 ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the file, relative: it was rounded outward
 SAME_ROW = Fraction(1, 10**9)  # a row of the scene is that of the file to this, relative to its size
@@ -94,28 +95,21 @@ class BoxProof:
     def name_variables(self):
         """("c", run, control point), ("peak", term), ("dimension", name) or its ("magnitude", name); control points that are no variables
         are numbers by the conditions."""
-        self.variables, self.place = [], {}
-        searched = self.problem.cam.searched if self.problem.cam else {}
-        peaks = {"peak " + next(n for n, o in ORDERS.items() if o == t.order): i
-                 for i, t in enumerate(self.problem.terms) if t.kind == "peak"}
-        peaks |= {name: i for i, t in enumerate(self.problem.terms)
-                  for name, kind in (("peak torque", "torque"), ("area", "area")) if t.kind == kind}
         if self.problem.free:
             raise Unverified("a bound over boxes next to displacements that are free")
+        runs, searched = self.problem.runs, self.problem.cam.searched if self.problem.cam else {}
+        known = {name_in_run(f"c[{j}]", k, len(runs)): ("c", k, j) for k, run in enumerate(runs) for j in range(run.space.size)}
+        known |= {name_of_peak(term): ("peak", i) for i, term in enumerate(self.problem.terms) if term.kind in ("peak", "torque", "area")}
+        for name in searched:
+            known |= {name: ("dimension", name), "magnitude of " + name: ("magnitude", name)}
+        self.variables, self.place = [], {}
         for j, name in enumerate(self.proof["variables"]):
-            point = re.fullmatch(r"c\[(\d+)\](?: of run (\d+))?", name)
-            if point:
-                variable = ("c", int(point[2] or 1) - 1, int(point[1]))
-            elif name in peaks:
-                variable = ("peak", peaks[name])
-            elif name.removeprefix("magnitude of ") in searched:
-                variable = ("magnitude" if " " in name else "dimension", name.removeprefix("magnitude of "))
-            else:
+            if name not in known:
                 raise Unverified(f"a bound over boxes with the variable {name}")
-            if variable in self.place:
+            if known[name] in self.place:
                 raise Refuted(f"the variable {name} stands twice")
-            self.variables.append(variable)
-            self.place[variable] = j
+            self.variables.append(known[name])
+            self.place[known[name]] = j
         self.conditions, self.points, self.fixed = [], [], {}
         for k, run in enumerate(self.problem.runs):
             conditions = Conditions(run.conditions)
@@ -277,13 +271,13 @@ class BoxProof:
         return self.problem.cam.fixed if self.problem.cam else Fraction(0)
 
     def linear(self, step, index):
-        origin = step.data["origin"]
-        if "at" not in origin:
+        origin = Origin.of(step.data["origin"])
+        if origin.at is None:
             return self.condition(step, index)
         at, side = self.problem.place_of(origin)
         row = self.bound.row_of(origin, at, side, *self.bound.run_at(at, side))
         if row is None:  # it adds nothing
-            self.left_out[origin["rule"]] = True
+            self.left_out[origin.key] = True
             step.side = greatest(step.weights, self.box)
             return None
         row, factor = row
@@ -363,7 +357,7 @@ class BoxProof:
     # -- planes
 
     def plane(self, step, index):
-        data, origin = step.data, step.data["origin"]
+        data, origin = step.data, Origin.of(step.data["origin"])
         at, side = self.problem.place_of(origin)
         slopes = [number(s) for s in data["slope"]]
         states = [self.state(at, side, order) for order in range(4)]
@@ -374,7 +368,7 @@ class BoxProof:
         for slope, j in zip(slopes[4:], parameters, strict=True):
             weights = difference(weights, {j: slope}, -1)
         if not formulas:
-            self.left_out[origin["rule"]] = True
+            self.left_out[origin.key] = True
             step.side = greatest(step.weights, self.box)
             return
         box = self.box_of_plane(step, index, states, parameters)
@@ -383,21 +377,21 @@ class BoxProof:
             return
         lowest = self.lowest_of_any(formulas, slopes, box, number(data["constant"]))
         if lowest is None and not self.is_within(box, data["box"]):  # the plane was made for less: it adds nothing
-            self.left_out[f"{origin['rule']}, over a box that is proved less far than the file says"] = True
+            self.left_out[f"{origin.key}, over a box that is proved less far than the file says"] = True
             step.side = greatest(step.weights, self.box)
             return
         if lowest is None:
-            raise Refuted(f"step {index}: the plane passes {origin['rule']} at x = {float(at)}")
+            raise Refuted(f"step {index}: the plane passes {origin}")
         self.planes += 1
         self.of_scene(step, index, weights, -lowest - fixed)
 
     def rules_of(self, origin, stretch, at):
         """(formulas of z, the variables that stand behind y''')."""
-        cam, rule = self.problem.cam, origin["rule"]
-        if rule in ("+torque", "-torque"):
+        cam, rule = self.problem.cam, origin.key
+        if rule == "torque" and not origin.limit:
             i = next(i for i, t in enumerate(self.problem.terms) if t.kind == "torque")
             size = self.problem.terms[i].reference * stretch.scale(1) * stretch.scale(2)
-            sign = constant((1 if rule[0] == "+" else -1) / size)
+            sign = constant(origin.sign / size)
             return [lambda z: sign * z[1] * z[2] - z[4]], [self.place["peak", i]]
         if cam is None or cam.rules is None:
             return [], []
@@ -405,7 +399,7 @@ class BoxProof:
         formulas = cam.formulas_at(origin, at)
         cam.rules.of_planes = False
         if cam.direct and rule.endswith("pressure_angle_deg"):  # in m
-            formulas = [lambda z, f=f: f(z) * constant(cam.rules.reach()) for f in formulas]
+            formulas = [lambda z, f=f: f(z) * cam.rules.reach() for f in formulas]
         return formulas, [self.place["dimension", name] for name in cam.rules.searched]
 
     def box_of_plane(self, step, index, states, parameters):
@@ -495,7 +489,7 @@ class BoxProof:
             if part["infeasible"]:
                 most, stated_most = self.follow({}, part, name)
                 if most >= 0:
-                    self.fall_short()
+                    require_every_row(self.left_out)
                     raise Refuted(f"{name} is called empty, and its multipliers contradict nothing")
                 continue
             if self.incumbent is None:
@@ -522,7 +516,3 @@ class BoxProof:
             raise Refuted("the parts do not hold everything: two splits are not opposite")
         for i in first:
             self.check_tree([leaf[1:] for leaf in leaves if leaf[0] == i])
-
-    def fall_short(self):
-        if self.left_out:
-            raise Unverified("rows of " + ", ".join(sorted(self.left_out)))

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Cams whose limits are checked."""
+"""Cams whose limits are judged.
+
+Theorem. `keep_limits`: each limit that it names is satisfied, to within KEPT, at every cam angle of the delivered motion, splines, laws and
+dwells, and for every choice of ends of the tolerances; others are named as missing. `row`: the row is satisfied by every motion whose
+derivatives are within `Bound.supremum` and that satisfies the limit: it is the limit where that is linear (slopes that do not vary over the
+box of states), else a plane that lies below the limit's formula wherever a motion can be.
+"""
 import itertools
 
 from . import enclosures
@@ -10,13 +16,14 @@ from .rational import Fraction
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
 from .tolerance import MadeRules, Tolerances
-from .disk_rules import FACE_TURNS, LOADED, DiskRules, Side, TwoSides
-from .exact import (
-    KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, times)
+from .disk_rules import LOADED, DiskRules, Side, TwoSides
+from .exact import KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, largest_magnitude, middle_of, number, root, value_at
 from .forces import Forces
 from .harmonics import Harmonics
-from .laws import at_time, constant, parts_along
+from .enclosures import ends_of
+from .laws import constant, parts_along
 from .motion_bounds import keeps
+from .origins import rows_of
 from .runs import Row
 from .units import angle_of, dimension_of, enclosed, in_unit
 
@@ -45,7 +52,7 @@ class Cam:
         self.lift = problem.lift[0]
         weights = {n: number(problem.objective.get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
-        self.cost = exactly(Fraction(0))  # of the dimensions as they were found
+        self.cost = Fraction(0), Fraction(0)  # of the dimensions as they were found
         if not self.direct:
             return self.be_other(scene, result, weights)
         slides = self.kind == "linear"
@@ -66,11 +73,11 @@ class Cam:
         self.sizes = given | self.found(result, dict.fromkeys(given, "m"))
         self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
                          Fraction(0))
-        self.cost = exactly(self.fixed + sum((self.weights[name] * abs(self.sizes[name]) for name in self.searched
-                                              if self.sizes[name] is not None), Fraction(0)))
+        self.cost = (self.fixed + sum((self.weights[name] * abs(self.sizes[name]) for name in self.searched
+                                       if self.sizes[name] is not None), Fraction(0)),) * 2
         if any(key.startswith("spring_harmonic_") for key in problem.limits):
             problem.harmonics = Harmonics(problem, scene)
-        self.beta = enclosed(problem.unit_angle)
+        self.beta = ends_of(enclosed(problem.unit_angle))
         self.width = self.width_of(cam, scene)
         self.pressure = self.pressure_limits()
         self.form = cam.get("form", "open")
@@ -105,7 +112,7 @@ class Cam:
         self.searched = self.rules.searched
         self.forces = getattr(self.rules, "forces", None)
         found = self.found(result, self.rules.units)
-        sizes, unit = self.rules.sizes | found, self.rules.cost_unit()
+        sizes, unit = self.rules.sizes | found, ends_of(self.rules.cost_unit())
         used = {name: weight for name, weight in weights.items() if weight}
         if not set(used) <= set(sizes):
             raise Unverified("dimensions of this kind of cam in the objective")
@@ -133,17 +140,17 @@ class Cam:
             raise Unverified(f'cam.form = "{self.form}" with dimensions that are searched, or without a roller')
         if self.form == "grooved":
             wider = dimension_of(cam, "groove_clearance") / 2
-            return TwoSides(make(Side("inner flank", 1, wider)), make(Side("outer flank", -1, wider, None, -1)))
+            return TwoSides(make(Side(1, wider)), make(Side(-1, wider, None, -1)))
         if self.form != "conjugate":
             raise Unverified(f'cam.form = "{self.form}"')
-        turn = exactly(dimension_of(cam, "roller_distance"))
+        turn = constant(dimension_of(cam, "roller_distance"))
         if self.swings:
             turn = enclosed(angle_of(cam, "arm_angle"))
         second = {"second_" + name: dimension_of(cam, "second_" + name) or sizes.get(name, Fraction(0))
                   for name in ("roller_radius", "arm_length", "offset")}
         if "second_offset_mm" in cam or "second_offset_m" in cam or "second_offset_in" in cam:
             second["second_offset"] = dimension_of(cam, "second_offset")
-        return TwoSides(make(Side("first disk")), make(Side("second disk", 1, Fraction(0), turn, -1), second))
+        return TwoSides(make(Side()), make(Side(1, Fraction(0), turn, -1), second))
 
     def found(self, result, units):
         """What was found of the dimensions that are searched, m or rad (None: nothing)."""
@@ -172,7 +179,7 @@ class Cam:
         """(low, high) around half the width of a flat face, of a round one that of its chord beside the contact line; or None."""
         half, radius = dimension_of(cam, "face_half_width"), dimension_of(cam, "face_radius")
         contact = number(scene.get("forces", {}).get("contact_width_m", 0))
-        return root(radius**2 - contact**2 / 4) if radius else exactly(half) if half else None
+        return root(radius**2 - contact**2 / 4) if radius else (half, half) if half else None
 
     def found_parts(self):
         """What was found of the dimensions that are searched, as rules take them."""
@@ -208,26 +215,19 @@ class Cam:
     def row(self, bound, k, run, name, origin, at):
         """(the row, factor of its multiplier), or None where this checker does not use it. Irrational numbers are taken
         at their middle, and what that can change is added to what the row may reach."""
-        rule, sign, side = origin["rule"], origin.get("sign", 0), origin.get("side", "right")
+        rule, sign, side = origin.key, origin.sign, origin.side or "right"
         if not self.judged or bound.relaxed:
             return None
-        if rule in ("cam.face_half_width", "cam.face_radius") and origin.get("order") == 1 and sign and self.width:
+        if rule in ("cam.face_half_width", "cam.face_radius") and origin.order == 1 and sign and self.width:
             function = {j: sign * w for j, w in run.cam_space.functional(at, 1, side).items()}
             return Row(name, k, function, self.width[1] * self.beta[1] / self.lift), \
                 self.lift / self.width[1] / number(float(self.beta[0]))
         if not self.direct and self.searched:
             return None
-        formulas = self.formulas_at(origin, at)
-        if bound.curve is not None and len(formulas) > 1:
-            # Which of several rules of one name is not said: the one that the motion comes nearest to.
-            values = [bound.curve.value_at(k, at, side, order, bound.curve.cam_pieces()) for order in range(3)]
-            place = [enclosures.interval(v)[0] for v in values] + [0] + self.found_parts()
-            formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
-        for formula in formulas[:1] if bound.curve is not None or len(formulas) == 1 else []:
+        for formula in self.formulas_at(origin, at)[:1]:
             row = self.linear_row(bound, k, run, name, formula, at, side)
-            if row is not None:
-                return row, 1 / self.row_size()
-        return self.row_of_arm(bound, k, run, name, origin, at, formulas)
+            return (row, 1 / self.row_size()) if row is not None else self.row_of_arm(bound, k, run, name, origin, at, formula)
+        return None
 
     def linear_row(self, bound, k, run, name, formula, at, side):
         """A rule whose slopes are the same all over a box is linear; None where they differ."""
@@ -321,15 +321,14 @@ class Cam:
             return (lambda curve: None) if self.follower == "translating_flat" else lambda curve: self.keep_pressure(curve, key)
         if key in LOADED and self.form != "open" and self.forces and not self.forces.is_constant():
             return None
-        formulas = self.as_found.formulas("limits." + key)
+        formulas = self.formulas_along(key)
         return (lambda curve: self.keep_formulas(curve, key, formulas)) if formulas else None
 
     def formulas_along(self, key):
         """Formulas of a limit that any stretch of a motion can be held against; none: there are none here."""
         if key in LOADED and self.form != "open" and self.forces and not self.forces.is_constant():
             return []
-        signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
-        return [f for sign in signs for f in self.as_found.formulas("limits." + key, 1 if sign else None, sign)]
+        return [f for origin in rows_of(key) for f in self.as_found.formulas(origin)]
 
     def keep_along_laws(self, key, stretches):
         """Along laws and dwells. False: nothing here looks at the limit there."""
@@ -347,7 +346,7 @@ class Cam:
             for p, width, left, stretch in own:
                 orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
                 place = left - run.begin_of(stretch) + stretch.begin + copy * self.problem.stretches[-1].end
-                self.keep_along(key, formulas, lambda v, orders=orders: [at_time(c, v) for c in orders], place, Fraction(1), width, more)
+                self.keep_along(key, formulas, lambda v, orders=orders: [value_at(c, v) for c in orders], place, Fraction(1), width, more)
 
     def keep_along(self, key, formulas, motion, place, scale, width, more=()):
         """Nowhere above 0 along a motion of 0 <= v <= width, x = place + scale v; what moves beside the motion is told x too."""
@@ -356,8 +355,8 @@ class Cam:
         lines = self.forces.lines(*whole) if self.forces and key in LOADED else [(*whole, Fraction(0), Fraction(0))]
         for (begin, end, load, slope), formula in itertools.product(lines, formulas):
             def room(numbers, load=load, slope=slope, formula=formula):
-                x = constant(place) + constant(scale) * numbers[0]
-                self.as_found.load = constant(load) + constant(slope) * x
+                x = place + scale * numbers[0]
+                self.as_found.load = load + slope * x
                 state = motion(numbers[0]) + numbers[1:]
                 return -(formula(state, x) if moves else formula(state))
             if enclosures.least(room, [enclosures.interval((begin - place) / scale, (end - place) / scale), *more], 0) is None:
@@ -365,22 +364,20 @@ class Cam:
 
     def formulas_at(self, origin, at):
         """What a row's limit may mean at a place."""
-        words = origin["rule"], origin.get("order"), origin.get("sign", 0), origin.get("remark", "")
         if self.rules is None:
             return []
-        remark, corner = self.tolerances.named(words[3])
-        rules = self.rules if corner is None else self.made(corner, self.given if self.direct else {}, Fraction(0))
-        words = (*words[:3], remark)
+        rules = self.rules
+        if origin.made:
+            rules = self.made(self.tolerances.made(origin.made), self.given if self.direct else {}, Fraction(0))
         if self.forces and not self.forces.is_constant():
             if self.form != "open":
                 raise Unverified("a load over the cam angle on a cam of two sides")
-            rules.load = constant(self.forces.load_at(at, origin.get("side", "right")))
-        return rules.formulas(*words, at) if not self.direct and rules.moves else rules.formulas(*words)
+            rules.load = constant(self.forces.load_at(at, origin.side or "right"))
+        return rules.formulas(origin, at) if not self.direct and rules.moves else rules.formulas(origin)
 
     def keep_pressure(self, curve, key):
         """Both sides along the motion, and at rest the least of all limits."""
-        formulas = [f for sign in (1, -1) for f in self.as_found.formulas("limits." + key, 1, sign)]
-        self.keep_formulas(curve, key, formulas)
+        self.keep_formulas(curve, key, self.formulas_along(key))
         least = min(limit for limit in self.pressure if limit is not None)
         levels = {level for s in self.problem.stretches for level in (s.start, s.to)}
         for level in levels | ({Fraction(1)} if self.problem.type == "RR" else set()):
@@ -389,38 +386,31 @@ class Cam:
                 if any(enclosures.at_place(f, rest).value[1] > 0 for f in self.as_found.pressures(least, sign)):
                     raise Refuted("the pressure angle at rest passes its limit")
 
-    def row_of_arm(self, bound, k, run, name, origin, at, formulas):
+    def row_of_arm(self, bound, k, run, name, origin, at, formula):
         """Rows of an arm. Where a rule is convex, camopt's rows are its tangents: here the tangent at the delivered motion,
         lowered as far as it must be to lie under the rule wherever a motion can be."""
-        rule, sign, side = origin["rule"], origin.get("sign", 0), origin.get("side", "right")
-        if origin.get("remark") == "face turns back" and self.follower == "oscillating_flat":
-            unit = max(self.rules.lift) / min(self.rules.beta), min(self.rules.lift) / max(self.rules.beta)
-            middle, half = middle_of((unit[1], unit[0]))
-            function = {j: -self.sense * middle * w for j, w in run.cam_space.functional(at, 1, side).items()}
-            return Row(name, k, function, FACE_TURNS + half * bound.cam_supremum(k)[1]), Fraction(1)
-        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or self.problem.free or \
+        side = origin.side or "right"
+        if not origin.key.endswith("pressure_angle_deg") or origin.order != 1 or bound.curve is None or self.problem.free or \
                 self.kind in ("remote", "inverse"):
             return None
         values = [bound.curve.value_at(k, at, side, order, bound.curve.cam_pieces()) for order in range(2)]
         place = [enclosures.interval(v)[0] for v in values] + self.found_parts()
         ranges = [self.displacements(bound, k, at), (-bound.cam_supremum(k)[1], bound.cam_supremum(k)[1])]
         ranges += [parts_of(ends) for ends in self.searched.values()]
-        for formula in formulas[:1]:
-            def pressure(numbers, formula=formula):
-                return formula(numbers[:2] + [constant(0), constant(0)] + numbers[2:])
 
-            found = enclosures.tangent_at(pressure, place)
-            slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(len(place))]
+        def pressure(numbers):
+            return formula(numbers[:2] + [constant(0), constant(0)] + numbers[2:])
 
-            def leaning(by, pressure=pressure, slopes=tuple(slopes)):
-                return self.row_under(pressure, [slopes[0] + by, *slopes[1:]], place, ranges,
-                                      (name, k, run, at, side))
-            row = leaning(Fraction(0))
-            if row is None:
-                return None
-            row.leaning = leaning
-            return row, 1 / self.row_size()
-        return None
+        found = enclosures.tangent_at(pressure, place)
+        slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(len(place))]
+
+        def leaning(by):
+            return self.row_under(pressure, [slopes[0] + by, *slopes[1:]], place, ranges, (name, k, run, at, side))
+        row = leaning(Fraction(0))
+        if row is None:
+            return None
+        row.leaning = leaning
+        return row, 1 / self.row_size()
 
     def row_under(self, rule, slopes, place, ranges, where):
         """slopes . (y, y') + constant <= rule in these ranges as a row; None where the slopes fit too badly."""

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Proofs by cases: the strokes whose displacement is free rise or fall; angles that are searched lie in boxes.
 
-Of angles: each segment's y over its own part u of the way. Where every spline rests at both ends (y' = y'' = 0), only limits in time
-depend on the angles, |y^(r)(u)| <= limit * angle^r, and a larger angle loosens them, each side that allows rest. What a scene reaches with
-the largest angles of a box, which need not add up to the turn, is then at or below what it reaches anywhere in the box.
+Theorem. If the cases cover every choice of directions (`require_cover`), or every choice of angles that fills the revolution (`by_angles`),
+then no motion of the scene is below the least bound of the cases, and there is no motion where no case has one.
+
+Of angles: each segment's y over its own part u of the path. Where every spline rests at both ends (y' = y'' = 0), only limits in time
+depend on the angles, |y^(r)(u)| <= limit * angle^r, and a larger angle loosens them, each side that allows rest. The least objective with
+the largest angles of a box, which need not add up to the revolution, is then at or below that of any angles in the box.
 """
 import itertools
-import re
 
 from .bound import Bound
 from .exact import KEPT, Refuted, SAME_PLACE, Unverified, number
@@ -17,9 +19,7 @@ from .strokes import stroke_of
 from .units import angle_of, in_unit
 
 MOST_STROKES = 12  # that are split: all their directions are counted
-LARGER = 1 + Fraction(6, 10**9)  # ends of boxes are written to nine digits
-ANGLE = re.compile(r"(\S+) deg <= angle of motion\.segments\[(\d+)\] <= (\S+) deg")
-DIRECTION = re.compile(r"motion\.segments\[(\d+)\] (rises|falls) or rests")
+LARGER = 1 + Fraction(1, 10**12)  # ends of boxes are doubles
 
 
 def displacements_found(result):
@@ -45,10 +45,10 @@ def relaxed_by(proof):
 
 def region_of(case):
     """{segment: whether it rises}."""
-    found = [DIRECTION.fullmatch(line) for line in case["region"]]
-    if None in found:
+    parts = case.get("parts", [])
+    if any("rises" not in part for part in parts):
         raise Unverified("a proof by cases of " + ", ".join(case["region"]))
-    return {int(line[1]): line[2] == "rises" for line in found}
+    return {part["segment"]: part["rises"] for part in parts}
 
 
 def require_cover(problem, regions):
@@ -162,11 +162,11 @@ def by_angles(scene, references, cases):
 
 
 def box_of(case):
-    """{segment: (least, most)} in deg, of the words of a region."""
-    found = [ANGLE.fullmatch(line) for line in case.get("region", [])]
-    if None in found:
+    """{segment: (least, most)} in deg."""
+    parts = case.get("parts", [])
+    if any("angle_deg" not in part for part in parts):
         raise Unverified("a proof by cases of " + ", ".join(case["region"]))
-    return {int(line[2]): (number(line[1]), number(line[3])) for line in found}
+    return {part["segment"]: tuple(map(number, part["angle_deg"])) for part in parts}
 
 
 def nearest_problem(scene, references, proof, tops):
@@ -199,15 +199,9 @@ def judge_cases(parts, cases, incumbent, curve, report):
         proof = cases[case["proof_of_case"]]["proof"]
         if stored_bound(proof) < number(proof["bound"]):
             raise Refuted("the stored proof of a case does not give its bound")
-        bound = Bound(problem, incumbent, relaxed_by(proof), curve, region)
-        factor = factor_of(proof, problem)
-        for row in proof["rows"]:
-            bound.add_row(row, factor)
+        bound = Bound(problem, incumbent, relaxed_by(proof), curve, region).add_rows(proof["rows"], factor_of(proof, problem))
         if proof["statement"] == "objective":
-            if curve:
-                bound.add_root_mean_squares(curve)
-            bound.add_area()
-            values.append(bound.value())
+            values.append(bound.least_objective())
         elif bound.value(cost=False) <= 0:
             values.append(least_objective(problem))
         left_out |= bound.left_out

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Conditions, exactly."""
+"""Linear conditions on the control points, solved exactly.
+
+Theorem. The splines that satisfy the conditions are those with c_pivot = value - row . c for each pivot in `rows`, the other control points
+free; if `contradiction` is set there is none (a row 0 . c = value with |value| above STATED).
+"""
 
 from .exact import STATED, add_to, number
 from .rational import Fraction
@@ -54,15 +58,21 @@ class Conditions:
         return control
 
 
-def solved(a):
-    """The solution of linear equations (rows with the right side last), or None."""
+def eliminated(a):
+    """The solutions of linear equations, rows with their right sides last, of fractions or of doubles; None: there is none or many."""
     for i in range(len(a)):
         pivot = max(range(i, len(a)), key=lambda r: abs(a[r][i]))
         if not a[pivot][i]:
             return None
         a[i], a[pivot] = a[pivot], a[i]
         for r in range(len(a)):
-            if r != i:
-                factor = a[r][i] / a[i][i]
+            factor = a[r][i] / a[i][i]
+            if r != i and factor:
                 a[r] = [x - factor * y for x, y in zip(a[r], a[i])]
-    return [number(float(a[i][-1] / a[i][i])) for i in range(len(a))]
+    return [[x / a[i][i] for x in a[i][len(a):]] for i in range(len(a))]
+
+
+def solved(a):
+    """The solution with one right side, rounded; or None."""
+    found = eliminated(a)
+    return found and [number(float(x)) for x, in found]

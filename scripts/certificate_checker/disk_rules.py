@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""The limits of disk cams as formulas of one cam angle: below 0, or at 0, is kept.
+"""The limits of disk cams as formulas of one cam angle.
 
-A formula takes y, y', y'' and the dimensions that are searched as `Over` and gives the rule, or the rule times what is
-above 0: so the planes of a bound over boxes are compared with it, and the delivered motion is judged where nothing else
-does. With N and D the two parts of the speed of the roller's centre in the cam's frame, tan(pressure angle) = N / D,
-v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
+Theorem. Where the follower's contact is above the cam's centre (D > 0), a limit is satisfied at a cam angle where its formula, of y, y', y'' and
+the dimensions that are searched, is at or below 0, and violated where it is above 0: the formula is the limit's excess times a positive number.
+
+With N and D the two parts of the speed of the roller's centre in the cam's frame, tan(pressure angle) = N / D,
+v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''. Formulas are used for planes of bounds over boxes, for rows
+of bounds by multipliers, and for the delivered motion.
 """
 
-from .dimensions import largest_of, middle_size
-from .enclosures import Over
-from .exact import PI, exactly, middle_of, number, tangent, times
+from .dimensions import FollowerMotion, largest_of, middle_size
+from .enclosures import PI, tangent
+from .exact import middle_of, number
 from .forces import Forces
 from .laws import constant
 from .rational import Fraction
-from .units import dimension_of, enclosed
+from .units import dimension_of
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
 LOADED = "contact_force_min_n", "contact_force_max_n", "torque_max_nm", "hertz_pressure_max_mpa"
@@ -26,8 +28,8 @@ class Side:
     conjugate cam, in whose mirror the follower moves the other way: between the arms (rad, enclosed) or the rollers (m);
     `pressed`: the sign of the force that presses on it."""
 
-    def __init__(self, name="", flank=1, wider=Fraction(0), turn=None, pressed=1):
-        self.name, self.flank, self.wider, self.turn, self.pressed = name, flank, wider, turn, pressed
+    def __init__(self, flank=1, wider=Fraction(0), turn=None, pressed=1):
+        self.flank, self.wider, self.turn, self.pressed = flank, wider, turn, pressed
 
 
 def carried_at(most, problem, given):
@@ -39,10 +41,10 @@ def carried_at(most, problem, given):
     own = Forces(problem, problem.scene)
     swing = own.mass * problem.turns_per_second()**2 * own.lift
     unit = middle_of((max(own.preload, (swing + own.largest_load()) / 100, Fraction(1, 1000)),) * 2)[0]
-    return unit, Over.number(*times(PI, exactly(compliance * number(given["contact_width_m"]) * most**2 / unit)))
+    return unit, PI * (compliance * number(given["contact_width_m"]) * most**2 / unit)
 
 
-class DiskRules:
+class DiskRules(FollowerMotion):
     """`dimensions`: of names, the number, or (lowest, highest) where it is searched. Lengths in m, angles in rad. `room`:
     by how much a rule may be passed, in parts of its limit."""
 
@@ -55,11 +57,12 @@ class DiskRules:
         self.dimensions = dimensions if "roller_radius" in dimensions else dimensions | {"roller_radius": Fraction(0)}
         self.swings = follower.startswith("oscillating")
         self.searched = [name for name, size in dimensions.items() if isinstance(size, tuple)]
-        self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
+        super().__init__(problem)
         self.roller = follower in ("translating_roller", "oscillating_roller")
         # On the follower at the cam angle that is looked at, N: set anew where it is not the same everywhere.
         self.load = constant(0)
         if "forces" in scene:
+            self.loaded = Forces(problem, problem.scene)
             self.load = constant(Forces(problem, scene).points[0][1])
 
     @staticmethod
@@ -69,14 +72,13 @@ class DiskRules:
     # -- the motion and the cam
 
     def states(self, numbers):
-        """s, s', s'' from y, y', y'': each is lift / unit angle^order times it."""
-        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
-        lift = -lift if self.side.turn else lift
-        return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
+        """The other way in a mirror."""
+        found = super().states(numbers)
+        return [-s for s in found] if self.side.turn else found
 
     def sizes(self, numbers):
         """The dimensions; those searched stand behind y''' in parts of their largest magnitude."""
-        searched = {name: numbers[4 + k] * constant(largest_of(self.dimensions[name])) for k, name in enumerate(self.searched)}
+        searched = {name: numbers[4 + k] * largest_of(self.dimensions[name]) for k, name in enumerate(self.searched)}
         return {name: searched.get(name) or constant(size) for name, size in self.dimensions.items()}
 
     def pitch(self, numbers):
@@ -89,15 +91,15 @@ class DiskRules:
             offset = size["offset"]
             start = self.start(prime, offset)
             if second:
-                start, offset = Over.number(*second) - start, size["second_offset"]
+                start, offset = second - start, size["second_offset"]
             return slope - offset * sense, start + s, slope, constant(1), bend
         distance, arm = size["center_distance"], size["arm_length"]
-        start = (distance.square() + arm.square() - prime.square()) * (constant(2) * distance * arm).inverse()
-        rest = (constant(1) - start.square()).root(), start
+        start = (distance.square() + arm.square() - prime.square()) * (2 * distance * arm).inverse()
+        rest = (1 - start.square()).root(), start
         if second:
-            rest, arm = self.turned(-rest[0], rest[1], Over.number(*second)), size["second_arm_length"]
+            rest, arm = self.turned(-rest[0], rest[1], second), size["second_arm_length"]
         sine, cosine = self.turned(*rest, s)
-        turning = constant(1) + slope * sense
+        turning = 1 + slope * sense
         end = arm * turning
         return end - distance * cosine, distance * sine, end * slope * sense, arm, bend
 
@@ -120,7 +122,7 @@ class DiskRules:
 
     def surface(self, numbers):
         """From the roller's centre to the cam's surface."""
-        return self.own_roller(numbers) + constant(self.side.wider)
+        return self.own_roller(numbers) + self.side.wider
 
     def excess(self, numbers, factor, share):
         """factor * curvature of the side - share, times v^3 / (D lever)."""
@@ -128,7 +130,7 @@ class DiskRules:
         square = across.square() + along.square()
         inverse = (along * lever).inverse()
         still = (square + drift * across) * inverse - bend
-        return constant(self.side.flank) * factor * still - (share + self.room) * (square * square.root() * inverse)
+        return self.side.flank * factor * still - (share + self.room) * (square * square.root() * inverse)
 
     def curvature(self, numbers):
         """Of the side, and v."""
@@ -136,7 +138,7 @@ class DiskRules:
         square = across.square() + along.square()
         speed = square.root()
         curvature = (square + drift * across - along * lever * bend) * (square * speed).inverse()
-        return constant(self.side.flank) * curvature, speed
+        return self.side.flank * curvature, speed
 
     def face(self, numbers):
         """Of a flat face on an arm: turning, D, and the cam's radius times turning."""
@@ -144,27 +146,27 @@ class DiskRules:
         size = self.sizes(numbers)
         distance, offset = size["center_distance"], size["face_offset"]
         start = (size["base_radius"] + offset) * distance.inverse()
-        sine, cosine = self.turned(start, (constant(1) - start.square()).root(), s)
-        slope = slope * constant(self.sense)
-        turning = constant(1) + slope
+        sine, cosine = self.turned(start, (1 - start.square()).root(), s)
+        slope = slope * self.sense
+        turning = 1 + slope
         inverse, along = turning.inverse(), distance * cosine
         radius = (distance * sine * (slope + turning) + along * bend * inverse) * inverse - offset * turning
         return turning, along, radius
 
     # -- the rules
 
-    def formulas(self, key, order=None, sign=0, remark=None):
-        """The rules that the key of a limit may mean: none where there is no such here, two where the file does not say
-        which side it is. `remark`: the speed that a limit on a load is meant at, "" or "at 0 rpm"; None: all of them."""
-        name = key.removeprefix("limits.")
-        if name in LOADED:
-            return self.loads(name, Forces(self.problem, self.problem.scene).corners_named(remark))
-        found = self.formula(key, order, sign, remark or "")
+    def formulas(self, origin):
+        """The rules that a row of a limit means, or all rows of the limit; none: there is no such here."""
+        name = origin.key.removeprefix("limits.")
+        if name in LOADED and not origin.part:
+            return self.loads(name, origin)
+        found = self.formula(name, origin)
         return [found] if found else []
 
-    def loads(self, name, corners):
+    def loads(self, name, origin):
+        corners = origin.chosen("load_speed", self.loaded.corners, 0)
         if name == "torque_max_nm":
-            return [self.torque(sign, corner) for corner in corners for sign in (1, -1)]
+            return [self.torque(sign, corner) for corner in corners for sign in origin.signs("torque")]
         if name == "contact_force_min_n":
             return [self.contact(corner) for corner in corners]
         if name == "contact_force_max_n":
@@ -172,10 +174,15 @@ class DiskRules:
         found = [self.hertz(number(self.limits[name]) * 10**6, corner) for corner in corners]
         return [rule for rule in found if rule]
 
-    def formula(self, key, order, sign, remark):
-        name, _, part = key.partition(" (")
-        name = name.removeprefix("limits.")
-        if remark or (order == 0 and not part):
+    def formula(self, name, origin):
+        sign = origin.sign
+        if origin.part == "undercut":
+            return self.margin(TOUCHES)
+        if origin.part == "contact_height":
+            return self.height()
+        if origin.part == "face_turn":
+            return self.face_turn()
+        if origin.order == 0:
             return None
         if name.endswith("pressure_angle_deg") and sign:
             turned = self.sense < 0 if self.swings else self.side.turn is not None
@@ -183,10 +190,6 @@ class DiskRules:
             own = "rise_pressure_angle_deg" if rises else "return_pressure_angle_deg"
             return self.pressure(number(self.limits[name]), sign) if name == (own if own in self.limits else
                                                                               "pressure_angle_deg") else None
-        if part.startswith("undercut)"):
-            return self.margin(TOUCHES)
-        if part.startswith("contact below"):
-            return self.height()
         for start, make in (("cam_radius_min_", self.convex_radius), ("concave_radius_min_", self.concave_radius)):
             if name.startswith(start):
                 return make(dimension_of(self.limits, start[:-1]))
@@ -206,8 +209,8 @@ class DiskRules:
         """sign N cos - D sin, in parts of the reach. The upper side is that of the rise; an arm that rises with a clockwise
         cam, and the mirror of a second roller that is pushed, have it below."""
         steep = tangent(limit)
-        cosine = (constant(1) + Over.number(*steep).square()).root().inverse()
-        sine, inverse = cosine * Over.number(*steep), constant(1 / self.reach())
+        cosine = (1 + steep.square()).root().inverse()
+        sine, inverse = cosine * steep, constant(1 / self.reach())
 
         def rule(numbers):
             if self.follower == "oscillating_flat":
@@ -215,7 +218,7 @@ class DiskRules:
                 across = self.sizes(numbers)["face_offset"] * turning
             else:
                 across, along = self.pitch(numbers)[:2]
-            return (across * cosine * constant(sign) - along * sine) * inverse - self.room
+            return (across * cosine * sign - along * sine) * inverse - self.room
         return rule
 
     def convex_radius(self, least):
@@ -225,64 +228,63 @@ class DiskRules:
 
             def rule(numbers):
                 turning, _, radius = self.face(numbers)
-                return (constant(least) - radius * turning.inverse()) * inverse - self.room
+                return (least - radius * turning.inverse()) * inverse - self.room
             return rule
         if self.follower == "translating_flat":
             inverse = constant(1 / self.reach())
 
             def flat(numbers):
                 s, _, bend = self.states(numbers)
-                return (constant(least) - self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
+                return (least - self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
             return flat
-        return lambda numbers: self.excess(numbers, self.surface(numbers) + constant(least), constant(1))
+        return lambda numbers: self.excess(numbers, self.surface(numbers) + least, constant(1))
 
     def concave_radius(self, least):
         """(roller - least) curvature <= 1: where the pitch curve bends the other way, it bends by no less than least."""
         if not self.roller and self.follower != "translating_knife":
             return None
-        return lambda numbers: self.excess(numbers, self.surface(numbers) - constant(least), constant(1))
+        return lambda numbers: self.excess(numbers, self.surface(numbers) - least, constant(1))
 
     def margin(self, least):
         """1 - roller curvature >= least; of a flat face its radius in parts of the base radius, which is linear where it slides."""
         if self.follower == "oscillating_flat":
-            return lambda numbers: constant(least) - self.face(numbers)[2] * self.sizes(numbers)["base_radius"].inverse() - self.room
+            return lambda numbers: least - self.face(numbers)[2] * self.sizes(numbers)["base_radius"].inverse() - self.room
         if self.follower == "translating_flat":
             least -= 1
             inverse = constant(1 / self.reach())
 
             def flat(numbers):
                 s, _, bend = self.states(numbers)
-                return (constant(least) * self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
+                return (least * self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
             return flat
         if not self.roller:
             return None
         return lambda numbers: self.excess(numbers, self.surface(numbers), constant(1 - least))
 
+    def face_turn(self):
+        """A face on an arm goes on turning in the cam's frame."""
+        return lambda numbers: -FACE_TURNS - self.states(numbers)[1] * self.sense
+
     def height(self):
         inverse = constant(1 / self.reach())
         if self.follower == "oscillating_flat":
-            return lambda numbers: constant(TOUCHES) - self.face(numbers)[1] * inverse
-        return lambda numbers: constant(TOUCHES) - self.pitch(numbers)[1] * inverse
+            return lambda numbers: TOUCHES - self.face(numbers)[1] * inverse
+        return lambda numbers: TOUCHES - self.pitch(numbers)[1] * inverse
 
     def force(self, numbers, corner):
-        """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment, at that angle."""
-        own, (square, speed) = Forces(self.problem, self.problem.scene), corner
-        sizes = self.sizes(numbers)
-        preload, rate = (sizes.get(name) or constant(number) for name, number in
-                         (("forces.preload", own.preload), ("forces.spring_rate", own.rate)))
-        return numbers[2] * constant(own.mass * square * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
-            rate * numbers[0] * constant(own.lift) + preload + self.load
+        sizes, own = self.sizes(numbers), self.loaded
+        return own.on_follower(numbers, corner, self.load, sizes.get("forces.preload") or own.preload,
+                               sizes.get("forces.spring_rate") or own.rate)
 
     def contact(self, corner):
         """F >= least."""
-        forces = Forces(self.problem, self.problem.scene)
-        inverse = constant(1 / forces.unit(self.problem))
-        return lambda numbers: (constant(forces.least) - self.force(numbers, corner)) * inverse - self.room
+        inverse = constant(1 / self.loaded.unit(self.problem))
+        return lambda numbers: (self.loaded.least - self.force(numbers, corner)) * inverse - self.room
 
     def largest_force(self, corner):
         """F <= most on the side that it presses on."""
         most = number(self.limits["contact_force_max_n"])
-        return lambda numbers: self.force(numbers, corner) * constant(self.side.pressed / most) - constant(1) - self.room
+        return lambda numbers: self.force(numbers, corner) * (self.side.pressed / most) - 1 - self.room
 
     def hertz(self, most, corner):
         """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller
@@ -298,22 +300,22 @@ class DiskRules:
             else:
                 s, _, bend = self.states(numbers)
                 radius, lever = self.sizes(numbers)["base_radius"] + s + bend, constant(1)
-            return self.force(numbers, corner) * constant(1 / unit) - carried * radius * lever - self.room
+            return self.force(numbers, corner) * (1 / unit) - carried * radius * lever - self.room
 
         def rule(numbers):
             curvature, speed = self.curvature(numbers)
             along, _, arm = self.pitch(numbers)[1:4]
-            radius = (constant(1) - self.surface(numbers) * curvature) * self.own_roller(numbers)
-            press = self.force(numbers, corner) * constant(self.side.pressed / unit)
+            radius = (1 - self.surface(numbers) * curvature) * self.own_roller(numbers)
+            press = self.force(numbers, corner) * (self.side.pressed / unit)
             if self.side.wider:
-                press = press * (constant(1) - constant(self.side.wider) * curvature)
+                press = press * (1 - self.side.wider * curvature)
             return press - carried * radius * arm * along * speed.inverse() - self.room
         return rule if self.roller else flat
 
     def torque(self, sign, corner):
         """sign F s' / most - 1."""
         most = number(self.limits["torque_max_nm"])
-        return lambda numbers: self.force(numbers, corner) * self.states(numbers)[1] * constant(sign / most) - constant(1) - self.room
+        return lambda numbers: self.force(numbers, corner) * self.states(numbers)[1] * (sign / most) - 1 - self.room
 
 
 class TwoSides:
@@ -332,12 +334,10 @@ class TwoSides:
 
     load = property(None, bear)
 
-    def formulas(self, key, order=None, sign=0, remark=None):
-        side_name, _, speed = (remark or "").rpartition(", ") if "rpm" in (remark or "") else (remark, "", "")
-        once = key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
-        named = [side for side in self.sides if not side_name or side.side.name == side_name]
-        return [f for side in (named[:1] if once else named)
-                for f in side.formulas(key, order, sign, None if remark is None else speed)]
+    def formulas(self, origin):
+        once = origin.key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
+        sides = origin.chosen("side", origin.chosen("station", self.sides))
+        return [f for side in (sides[:1] if once else sides) for f in side.formulas(origin)]
 
     def pressures(self, limit, sign):
         return [side.pressure(limit, sign) for side in (self.sides if self.sides[1].side.turn else self.sides[:1])]

@@ -11,13 +11,15 @@ Dry friction is a constant of each stroke, 0 in dwells. As the speed approaches 
 Root mean squares are over the cycle, outside of which the axis rests:
 
     mean square = (integral of torque^2 dx + (C - L) K0^2) / C,   C: the cycle, L: the motion, in x.
+
+Theorem. `largest` and `mean_square_of` enclose the largest value of a formula of torque and speed and the mean square of the torque of the
+delivered motion, laws and dwells included. `largest_at_rest` and `square_at_rest` are lower bounds of these at every speed above 0.
 """
 import math
 
 from .drive_laws import Span, largest_along, square_along
-from .enclosures import ends_of
-from .exact import (
-    KEPT, PI_ITSELF, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted)
+from .enclosures import PI_ITSELF, ends_of
+from .exact import KEPT, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted
 from .laws import ends_of_law
 from .motion_bounds import SIDES
 from .prescribed import state_at
@@ -60,12 +62,12 @@ def with_transmission_found(scene, result):
 class Rule:
     """by_torque * torque + by_speed * n <= most (and the peak `peak`, where there is one); `scale`: a violation of 100 %."""
 
-    def __init__(self, key, sign, by_torque, by_speed, most, scale, remark="", peak=None):
+    def __init__(self, key, sign, by_torque, by_speed, most, scale, which=None, peak=None):
         self.key, self.sign, self.by_torque, self.by_speed, self.most, self.scale = key, sign, by_torque, by_speed, most, scale
-        self.remark, self.peak = remark, peak
+        self.which, self.peak = which or {}, peak
 
     def is_meant(self, origin):
-        return self.key == origin["rule"] and (not self.sign or origin.get("sign", self.sign) == self.sign)
+        return self.key == origin.key and (not self.sign or origin.sign == self.sign) and self.which.items() <= origin.which.items()
 
 
 def slope_at_ends(stretch):
@@ -165,7 +167,7 @@ class Drive:
         curve = self.curve_of(points)
         if curve and self.at_rest:  # it never rises: no torque is above the one at speed 0
             most = points[0][1]
-            curve = [Rule("limits.motor_curve", sign, Fraction(sign), Fraction(0), most, most) for sign in (1, -1)]
+            curve = [Rule("limits.motor_curve", 0, Fraction(sign), Fraction(0), most, most, {"torque": sign}) for sign in (1, -1)]
         rules += curve
         key, unit = written(limits, MOMENTS, "motor_torque_rms")
         return rules, number(limits[key]) * unit if key else None
@@ -182,10 +184,10 @@ class Drive:
             before, most = fall, torque + fall * n
             for sign in (1, -1):
                 for way in (1, -1)[:2 if fall else 1]:
-                    remark = f"pairs {i + 1} and {i + 2}, torque {'+-'[sign < 0]}, speed {'+-'[way < 0]}"
-                    rules.append(Rule(key, 0, sign / most, way * fall / most, Fraction(1), Fraction(1), remark))
+                    rules.append(Rule(key, 0, sign / most, way * fall / most, Fraction(1), Fraction(1),
+                                      {"pair": i, "torque": sign, "speed": way}))
         for sign in (1, -1) if points else ():
-            rules.append(Rule(key, 0, none, sign / points[-1][0], Fraction(1), Fraction(1), f"last speed, {'+-'[sign < 0]}"))
+            rules.append(Rule(key, 0, none, sign / points[-1][0], Fraction(1), Fraction(1), {"speed": sign}))
         return rules
 
     def terms_of(self, objective, result):
@@ -198,8 +200,8 @@ class Drive:
             terms.append(Peak(kind, 2, weight, reference))
             if kind == "motor":
                 place = len(self.problem.terms) + len(terms) - 1
-                self.peak_rules = [Rule(name, 0, sign / reference, Fraction(0), Fraction(0), Fraction(1), f"torque {'+-'[sign < 0]}",
-                                        place) for sign in (1, -1)]
+                self.peak_rules = [Rule(name, 0, sign / reference, Fraction(0), Fraction(0), Fraction(1), {"torque": sign}, place)
+                                   for sign in (1, -1)]
         return terms
 
     def reference_of(self, asked, name, result):

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The torque of a motor along laws and dwells: its largest value and its mean square, enclosed."""
-from .enclosures import ends_of
-from .laws import constant, ends_of_law, largest_value, motion_along, square_integral
+"""The torque of a motor along laws and dwells.
+
+Theorem. `largest_along` and `square_along` enclose the largest value of a formula of torque and speed, and the integral of torque^2, over the
+span of a law or a dwell along which the friction's direction is constant.
+"""
+from .enclosures import ends_of, largest
+from .laws import CLOSE, PLACES, constant, ends_of_law, motion_along, square_integral
 
 
 class Span:
@@ -29,14 +33,14 @@ def largest_along(span, drive, formula, sign):
     def along(motion):
         def value(v):
             _, slope, bend = motion(v)
-            torque = constant(drive.acceleration) * bend + constant(drive.velocity) * slope + constant(span.constant)
-            return constant(sign) * formula(Formula(torque), Formula(constant(drive.speed) * slope)).own
+            torque = drive.acceleration * bend + drive.velocity * slope + span.constant
+            return sign * formula(Formula(torque), Formula(drive.speed * slope)).own
         return value
 
-    pieces = [(width, along(motion)) for width, motion in motion_along(span.stretch, 3)]
+    pieces = [(0, width, along(motion)) for width, motion in motion_along(span.stretch, 3)]
     if span.stretch.kind == "dwell":
-        return ends_of(pieces[0][1](constant(0)))
-    return largest_value(pieces, "torque")
+        return ends_of(pieces[0][2](constant(0)))
+    return largest(pieces, PLACES, CLOSE, "torque along a law")
 
 
 def square_along(span, acceleration, velocity):

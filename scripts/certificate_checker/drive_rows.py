@@ -1,25 +1,24 @@
 # SPDX-License-Identifier: MIT
 """Rows of a motor in a bound.
 
-Torque and speed are linear in the motion, so are their limits and the torque's peak. A root mean square over the cycle is a norm of
-the torque, which is affine in the motion, and with <., .> its product and z any motion
+Theorem. Torque and speed are affine in the motion, so are their limits and the torque's peak. A root mean square over the cycle is a norm of
+the torque: with <., .> its inner product and z any motion, every motion y has
 
-    rms(y) >= <torque(y), torque(z)> / |torque(z)|,    rms(y)^2 >= 2 <torque(y), torque(z)> - |torque(z)|^2.
+    rms(y) >= <torque(y), torque(z)> / |torque(z)|,    rms(y)^2 >= 2 <torque(y), torque(z)> - |torque(z)|^2,
 
-Which z is free. That of the delivered motion is taken; where none is delivered, the one that the multipliers themselves prefer: the
-least of all rows together, times their multipliers. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
+so that both are rows of every motion, whatever z. That of the delivered motion is taken; where none is delivered, the one at which all rows,
+times their multipliers, are least together. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
 """
 
-from .conditions import Conditions
+from .conditions import Conditions, solved
 from .drive_laws import Span, square_along
-from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, middle_of, number, product, root, shifted
+from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, middle_of, product, root, shifted
 from .laws import ends_of_law
 from .prescribed import value_beside
 from .rational import Fraction
 from .runs import Row, Stretch
 
 RELIEVED = " as the speed approaches 0, which motion may relieve"
-NEAR = Fraction(1, 10**6)  # rules that the delivered motion comes so near to may be the one that a row means
 
 
 class MotorRows:
@@ -31,52 +30,31 @@ class MotorRows:
     # -- rows at a place
 
     def takes(self, origin):
-        return origin["rule"].startswith("limits.motor_") or origin["rule"].startswith("motor_torque")
+        return origin.key.startswith(("limits.motor_", "motor_torque"))
 
     def add(self, origin, multiplier):
-        if origin["rule"].startswith("limits.motor_torque_rms"):
+        if origin.key.startswith("limits.motor_torque_rms"):
             if self.drive.rms_limit is None:
                 raise Refuted("limits.motor_torque_rms: the scene has no such rule")
             if self.drive.at_rest and not self.drive.is_square_left():
-                return self.bound.leave_out(origin["rule"] + RELIEVED, multiplier)
+                return self.bound.leave_out(origin.key + RELIEVED, multiplier)
             self.square += multiplier
             return None
-        at, side = self.problem.place_of(origin)
-        own = [rule for rule in self.rules if rule.is_meant(origin)]
-        if not own:
-            raise Refuted(f"{origin['rule']} at x = {float(at)}: the scene has no such rule")
-        own = [rule for rule in own if rule.remark and rule.remark == origin.get("remark")] or own
-        if len(own) > 1:
-            own = self.nearest(own, at, side)
-        if not own:
-            return self.bound.leave_out(origin["rule"], multiplier)
+        rule = next((rule for rule in self.rules if rule.is_meant(origin)), None)
+        if rule is None and self.drive.at_rest:  # that of the last speed
+            return self.bound.leave_out(origin.key, multiplier)
+        if rule is None:
+            raise Refuted(f"{origin}: the scene has no such rule")
         if self.drive.at_rest:
-            return self.add_at_rest(own[0], multiplier)
-        for rule in own:
-            self.bound.use(self.row(rule, at, side), multiplier / len(own))
-        return None
+            return self.add_at_rest(rule, multiplier)
+        return self.bound.use(self.row(rule, *self.problem.place_of(origin)), multiplier)
 
     def add_at_rest(self, rule, multiplier):
         """Wherever the row is: the torque at rest may be taken at any place where no motion relieves it."""
-        largest = self.drive.largest_at_rest(rule.sign)
+        largest = self.drive.largest_at_rest(1 if rule.by_torque > 0 else -1)
         if largest is None:
             return self.bound.leave_out(rule.key + RELIEVED, multiplier)
         return self.bound.use(self.over_all(rule.key, [], Fraction(0), rule.scale, (rule.most - largest) / rule.scale), multiplier)
-
-    def nearest(self, rules, at, side):
-        """Those of the rules that the delivered motion comes nearest to: a file that does not say which one it means is
-        believed to mean them. If it does not, the bound is weaker."""
-        curve, (k, run, _) = self.bound.curve, self.bound.run_at(at, side)
-        if curve is None:
-            return []
-        if run is None:
-            values = [-self.row(rule, at, side).most for rule in rules]
-        else:
-            span, folded = self.drive.span_at(at, side), self.problem.folded(at, side)
-            slope, bend = (curve.value_at(k, folded, side, order) for order in (1, 2))
-            torque = self.drive.acceleration * bend + self.drive.velocity * slope + span.constant
-            values = [(r.by_torque * torque + r.by_speed * self.drive.speed * slope - r.most) / r.scale for r in rules]
-        return [rule for rule, value in zip(rules, values) if value >= max(values) - NEAR]
 
     def row(self, rule, at, side):
         name, drive = f"{rule.key} at x = {float(at)}", self.drive
@@ -153,7 +131,7 @@ class MotorRows:
         return functions, constant, square
 
     def product_along(self, span, curve):
-        """The same integrals along a law between displacements that are free: ((constant, square), function of these, rounding). Over
+        """The same integrals along a law between displacements that are free: ((constant, square), function of these, rounding). Jet
         a law that moves y by h the torque is h g + c, with Q and R the integrals of g^2 and g:
 
             h_y (h_z Q + c R) + h_z c R + c^2 length."""
@@ -274,26 +252,12 @@ def least_of_form(conditions, matrix, slope):
     for _ in range(3):
         gradient = [sum((matrix[i][m] * control[m] for m in range(size) if matrix[i][m]), slope[i]) for i in range(size)]
         right = [-float(sum((w * gradient[i] for i, w in own.items()), Fraction(0))) for own in reach]
-        for own, by in zip(reach, eliminated([list(line) for line in reduced], right)):
-            by = number(by)
+        steps = solved([[*line, down] for line, down in zip(reduced, right)])
+        if steps is None:
+            raise Unverified("a root mean square that does not see the whole motion")
+        for own, by in zip(reach, steps):
             for i, w in own.items():
                 control[i] += w * by
         control = [Fraction(round(c * 2**110), 2**110) if i in free else c for i, c in enumerate(control)]
         control = conditions.completed(control)
     return control
-
-
-def eliminated(a, right):
-    """The solution of a x = right, in doubles: a is symmetric and above 0."""
-    size = len(right)
-    for i in range(size):
-        if a[i][i] <= 0:
-            raise Unverified("a root mean square that does not see the whole motion")
-        for r in range(i + 1, size):
-            factor = a[r][i] / a[i][i]
-            if factor:
-                a[r] = [x - factor * y for x, y in zip(a[r], a[i])]
-                right[r] -= factor * right[i]
-    for i in reversed(range(size)):
-        right[i] = (right[i] - sum(a[i][m] * right[m] for m in range(i + 1, size))) / a[i][i]
-    return right

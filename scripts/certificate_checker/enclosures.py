@@ -1,18 +1,38 @@
 # SPDX-License-Identifier: MIT
-"""Where the values and the slopes of a formula lie over a box, and how low the formula goes there.
+"""Intervals whose ends are multiples of 2^-128, and functions that are enclosed over boxes.
 
-Ends of intervals are whole multiples of 2^-128, always rounded outward: quick, and nothing is lost by rounding.
+Theorem. If each operand encloses its number, so does each result: ends are rounded outward. pi, sine, cosine and exponential are sums of
+series in integers with 32 more bits, whose rounding and remainder are below the bit that is added on either side. A `Jet` encloses value, slopes
+and second derivatives of a formula over a box by the rules of differentiation. `least` divides a box until the enclosure on each part, or
+its value in the middle less what its slopes allow, decides: the number that it returns is a lower bound over the whole box.
 """
+import functools
 import math
 
-from .exact import PI, Unverified
+from .exact import Unverified
 from .rational import Fraction
 
 BITS = 128
 ONE = 1 << BITS
+ZERO = (0, 0)
+NONE = {}  # derivatives of a constant
 GUARD = 32       # more bits for series, whose rounding is then below the last bit that is kept
 MOST_PARTS = 20000
 NARROW = ONE >> 10  # a box in which a formula must have a value
+GOLDEN, SECTIONS = Fraction(618033988749895, 10**15), 45
+
+
+def pi():
+    """Machin: pi / 4 = 4 arctan 1/5 - arctan 1/239, in integers. Every term is rounded down, and the series alternate with falling terms."""
+    def arctangent_of_inverse(n):
+        total, power, k = 0, (1 << BITS + GUARD) // n, 0
+        while power:
+            total += (-1)**k * (power // (2 * k + 1))
+            power, k = power // n**2, k + 1
+        return total
+
+    middle = 4 * (4 * arctangent_of_inverse(5) - arctangent_of_inverse(239))
+    return (middle >> GUARD) - 1, (middle >> GUARD) + 2
 
 
 def interval(low, high=None):
@@ -67,7 +87,7 @@ def sine_and_cosine(a):
     |sin d| <= |d|."""
     middle = (a[0] + a[1]) // 2
     if abs(middle) > 8 * ONE:  # without whole turns
-        turn = interval(*(2 * end for end in PI))
+        turn = 2 * PI.value[0], 2 * PI.value[1]
         turns = middle // turn[0]
         a = added(a, multiplied((-turns * ONE,) * 2, turn))
         middle = (a[0] + a[1]) // 2
@@ -110,71 +130,145 @@ def exponential(a):
     return ends[0][0], ends[1][1]
 
 
-class Over:
-    """A formula over a box: the interval of its values and, by variable, that of its slopes."""
+def negative(a):
+    return -a[1], -a[0]
 
-    __slots__ = ("value", "slopes")
 
-    def __init__(self, value, slopes=None):
-        self.value, self.slopes = value, slopes or {}
+def squared(a):
+    low, high = a[0] * a[0], a[1] * a[1]
+    return (0 if a[0] <= 0 <= a[1] else min(low, high)) >> BITS, -(-max(low, high) >> BITS)
+
+
+def halved(a):
+    return a[0] >> 1, -(-a[1] >> 1)
+
+
+def summed(derivatives, others):
+    """By variable; neither is changed."""
+    if not derivatives or not others:
+        return derivatives or others
+    found = dict(derivatives)
+    for i, own in others.items():
+        found[i] = added(found[i], own) if i in found else own
+    return found
+
+
+def times(derivatives, factor):
+    return {i: multiplied(own, factor) for i, own in derivatives.items()} if derivatives else derivatives
+
+
+class Jet:
+    """A function over a box: enclosures of its value, by variable of its slopes and, of variables that are followed to the second order,
+    of half its second derivative (`bends`). Jet a single place these are Taylor's coefficients there; over an interval of one variable
+    the last one bounds the remainder:  f(m + t) is in f(m) + f'(m) t + [f''/2] t^2.  Plain numbers are taken as constants."""
+
+    __slots__ = ("value", "slopes", "bends")
+
+    def __init__(self, value, slopes=NONE, bends=NONE):
+        self.value, self.slopes, self.bends = value, slopes, bends
 
     @staticmethod
     def number(low, high=None):
-        return Over(interval(low, high))
+        """A constant that is known, or enclosed."""
+        return Jet(interval(low, high))
+
+    @staticmethod
+    def along(value, slope, bend=ZERO):
+        """A function of one variable, followed to the second order."""
+        return Jet(value, {0: slope}, {0: bend})
+
+    @property
+    def c(self):
+        """Value, slope and bend of a function of one variable."""
+        return self.value, self.slopes.get(0, ZERO), self.bends.get(0, ZERO)
 
     def __add__(self, other):
-        slopes = dict(self.slopes)
-        for i, slope in other.slopes.items():
-            slopes[i] = added(slopes[i], slope) if i in slopes else slope
-        return Over(added(self.value, other.value), slopes)
+        if other.__class__ is not Jet:
+            return Jet(added(self.value, interval(other)), self.slopes, self.bends)
+        return Jet(added(self.value, other.value), summed(self.slopes, other.slopes), summed(self.bends, other.bends))
+
+    __radd__ = __add__
 
     def __neg__(self):
-        return Over((-self.value[1], -self.value[0]), {i: (-s[1], -s[0]) for i, s in self.slopes.items()})
+        return Jet(negative(self.value), {i: negative(own) for i, own in self.slopes.items()} if self.slopes else NONE,
+                   {i: negative(own) for i, own in self.bends.items()} if self.bends else NONE)
 
     def __sub__(self, other):
         return self + -other
 
-    def __mul__(self, other):
-        slopes = {i: multiplied(slope, other.value) for i, slope in self.slopes.items()}
-        for i, slope in other.slopes.items():
-            own = multiplied(slope, self.value)
-            slopes[i] = added(slopes[i], own) if i in slopes else own
-        return Over(multiplied(self.value, other.value), slopes)
+    def __rsub__(self, other):
+        return -self + other
 
-    def through(self, value, slope):
-        """A function of this, which has such values and such a slope."""
-        return Over(value, {i: multiplied(slope, own) for i, own in self.slopes.items()})
+    def __mul__(self, other):
+        if other.__class__ is not Jet:
+            other = Jet(interval(other))
+        a, b = self.value, other.value
+        bends = summed(times(self.bends, b), times(other.bends, a)) if self.bends or other.bends else NONE
+        for i in bends:
+            if i in self.slopes and i in other.slopes:
+                bends[i] = added(bends[i], multiplied(self.slopes[i], other.slopes[i]))
+        return Jet(multiplied(a, b), summed(times(self.slopes, b), times(other.slopes, a)), bends)
+
+    __rmul__ = __mul__
+
+    def scaled(self, factor):
+        """Times a constant that is enclosed."""
+        return self * Jet(factor)
+
+    def through(self, value, slope, bend=None):
+        """A function of this, which has such values, such a slope and half such a second derivative."""
+        bends = {i: added(multiplied(slope, own), multiplied(bend, squared(self.slopes[i]))) for i, own in self.bends.items()} \
+            if self.bends else NONE
+        return Jet(value, times(self.slopes, slope), bends)
+
+    def after(self, inner):
+        """This function, of one variable, of what another one gives."""
+        return inner.through(*self.c)
 
     def square(self):
         a, b = self.value
-        least = 0 if a <= 0 <= b else min(a * a, b * b) >> BITS
-        return self.through((least, -(-max(a * a, b * b) >> BITS)), (2 * a, 2 * b))
+        return self.through(squared(self.value), (2 * a, 2 * b), (ONE, ONE))
 
     def inverse(self):
+        """Of what is above 0."""
         value = inverted(self.value)
         square = multiplied(value, value)
-        return self.through(value, (-square[1], -square[0]))
+        return self.through(value, negative(square), multiplied(square, value) if self.bends else None)
 
     def root(self):
+        """Of what is above 0."""
         value = rooted(self.value)
-        return self.through(value, inverted((2 * value[0], 2 * value[1])) if self.slopes else (0, 0))
+        if not self.slopes:
+            return Jet(value)
+        slope = inverted((2 * value[0], 2 * value[1]))
+        return self.through(value, slope, negative(multiplied(slope, squared(slope))) if self.bends else None)
 
     def exponential(self):
         value = exponential(self.value)
-        return self.through(value, value)
+        return self.through(value, value, halved(value))
 
     def sine_and_cosine(self):
         sine, cosine = sine_and_cosine(self.value)
-        return self.through(sine, cosine), self.through(cosine, (-sine[1], -sine[0]))
+        return self.through(sine, cosine, negative(halved(sine))), self.through(cosine, negative(sine), negative(halved(cosine)))
+
+
+PI = Jet(pi())
+PI_ITSELF = fraction(sum(PI.value)) / 2  # to 37 digits: far below what limits and conditions are met to
+
+
+@functools.cache
+def tangent(degrees):
+    sine, cosine = (degrees / 180 * PI).sine_and_cosine()
+    return sine * cosine.inverse()
 
 
 def over_box(formula, box):
     """The formula with a variable for each interval that is one."""
-    return formula([Over(ends, {i: (ONE, ONE)} if ends[0] < ends[1] else None) for i, ends in enumerate(box)])
+    return formula([Jet(ends, {i: (ONE, ONE)} if ends[0] < ends[1] else NONE) for i, ends in enumerate(box)])
 
 
 def at_place(formula, place):
-    return formula([Over((x, x)) for x in place])
+    return formula([Jet((x, x)) for x in place])
 
 
 class Complex:
@@ -212,7 +306,7 @@ class Complex:
 
 def tangent_at(formula, place):
     """The formula at a place, with its slopes there."""
-    return formula([Over((x, x), {i: (ONE, ONE)}) for i, x in enumerate(place)])
+    return formula([Jet((x, x), {i: (ONE, ONE)}) for i, x in enumerate(place)])
 
 
 def least(formula, box, enough):
@@ -233,7 +327,7 @@ def least(formula, box, enough):
             worst = max(range(len(part)), key=lambda i: part[i][1] - part[i][0])
             if part[worst][1] - part[worst][0] < NARROW:
                 raise
-            stack += halved(part, worst)
+            stack += divided_box(part, worst)
             continue
         while True:
             side = [(a, a) if i in found.slopes and found.slopes[i][0] >= 0 else
@@ -256,10 +350,50 @@ def least(formula, box, enough):
         worst = max(fall, key=fall.get)
         if part[worst][1] - part[worst][0] < 4:
             raise Unverified("a plane that comes too near to its rule")
-        stack += halved(part, worst)
+        stack += divided_box(part, worst)
     return lowest
 
 
-def halved(box, i):
+def largest(pieces, places, close, what):
+    """(low, high) around the largest of functions [(begin, end, x -> value)] over begin <= x <= end. It is searched at so many places of
+    each, refined at the two best, and proved to be the largest up to the part `close` of its size."""
+    def at(value, x):
+        return ends_of(value(Jet.number(x)))[0]
+
+    found = [(at(value, begin + (end - begin) * Fraction(i, places)), i, begin, end, value) for begin, end, value in pieces
+             for i in range(places + 1 if end > begin else 1)]
+    found.sort(key=lambda own: -own[0])
+    low, size = found[0][0], max(abs(own[0]) for own in found)
+    for _, i, begin, end, value in found[:2]:
+        step = (end - begin) * Fraction(1, places)
+        if step:
+            low = max(low, refined(lambda x, value=value: at(value, x), begin + step * max(0, i - 1), begin + step * min(places, i + 1)))
+    high = low + size * close
+    for begin, end, value in pieces:
+        if least(lambda numbers, value=value: high - value(numbers[0]), [interval(begin, end)], 0) is None:
+            raise Unverified(f"the largest {what}")
+    return low, high
+
+
+def refined(at, begin, end):
+    """The largest value between two places, where it has one maximum: golden section."""
+    def inside(part):
+        return Fraction(round((begin + part * (end - begin)) * 2**100), 2**100)
+
+    inner = [inside(1 - GOLDEN), inside(GOLDEN)]
+    found = [at(x) for x in inner]
+    for _ in range(SECTIONS):
+        if found[0] < found[1]:
+            begin = inner[0]
+            inner, found = [inner[1], inside(GOLDEN)], [found[1], None]
+            found[1] = at(inner[1])
+        else:
+            end = inner[1]
+            inner, found = [inside(1 - GOLDEN), inner[0]], [None, found[0]]
+            found[0] = at(inner[0])
+    return max(found)
+
+
+def divided_box(box, i):
     half = sum(box[i]) // 2
     return [box[:i] + [ends] + box[i + 1:] for ends in ((box[i][0], half), (half, box[i][1]))]

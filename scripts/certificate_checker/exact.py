@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""What is computed with: fractions, enclosures of irrational numbers, polynomials."""
-import functools
+"""Exact arithmetic: fractions and polynomials.
+
+Theorem. The square root lies between the two fractions of `root`. `largest` encloses the maximum of polynomials over intervals: it lies below the largest Bernstein
+coefficient, and at or above the value at each end of a part (de Casteljau).
+"""
 import heapq
 import math
 import sys
 
 from .rational import Fraction
 
-DIGITS = Fraction(1, 10**48)       # how closely irrational numbers are enclosed
 SAME_PLACE = Fraction(1, 10**13)   # x: a double meant as a breakpoint is this close to it
 KEPT = Fraction(1, 10**8)          # a limit that is kept to within this part of it is kept, as camopt promises
 STATED = Fraction(1, 10**9)        # numbers in the files are right to this, relative
@@ -24,6 +26,12 @@ class Unverified(Exception):
     """Something that this checker has no proof for."""
 
 
+def require_every_row(left_out):
+    """Of a proof that falls short: without rows that the checker does not use it is not known to be wrong."""
+    if left_out:
+        raise Unverified("rows of " + ", ".join(sorted(left_out)))
+
+
 def number(value):
     """A number of a file, exactly: JSON's are doubles, TOML's are the decimals as written."""
     return Fraction(value)
@@ -36,60 +44,13 @@ def root(value):
     return Fraction(low, scale), Fraction(low + 1, scale)
 
 
-def alternating(first, ratio):
-    """(low, high) around sum of first * product of ratio(1) ... ratio(k): signs alternate, sizes fall."""
-    total, term, k = Fraction(0), first, 0
-    while abs(term) > DIGITS or k < 4:
-        total += term
-        k += 1
-        term *= ratio(k)
-    return min(total, total + term), max(total, total + term)
-
-
-def arctangent_of_inverse(n):
-    return alternating(Fraction(1, n), lambda k: Fraction(-(2 * k - 1), (2 * k + 1) * n * n))
-
-
-def pi():
-    """Machin: pi / 4 = 4 arctan 1/5 - arctan 1/239."""
-    a, b = arctangent_of_inverse(5), arctangent_of_inverse(239)
-    return outward((4 * (4 * a[0] - b[1]), 4 * (4 * a[1] - b[0])))
-
-
-def outward(enclosure):
-    """The same with shorter fractions, a little wider."""
-    return Fraction(math.floor(enclosure[0] * 2**150), 2**150), Fraction(math.ceil(enclosure[1] * 2**150), 2**150)
-
-
 def middle_of(enclosure):
     """(a short fraction in the middle, how far the number can be from it)."""
     middle = Fraction(round((enclosure[0] + enclosure[1]) * 2**119), 2**120)
     return middle, max(enclosure[1] - middle, middle - enclosure[0])
 
 
-PI = pi()
-PI_ITSELF = middle_of(PI)[0]  # to 35 digits: far below what limits and conditions are met to
 sys.set_int_max_str_digits(0)  # exact numbers are long
-
-
-def times(a, b):
-    products = [x * y for x in a for y in b]
-    return min(products), max(products)
-
-
-def exactly(value):
-    return value, value
-
-
-@functools.cache
-def tangent(degrees):
-    """(low, high) around tan, for 0 <= degrees < 90. In each end the angle's own enclosure is used."""
-    ends = []
-    for angle in (degrees * PI[0] / 180, degrees * PI[1] / 180):
-        sine = alternating(angle, lambda k, a=angle: -a * a / ((2 * k) * (2 * k + 1)))
-        cosine = alternating(Fraction(1), lambda k, a=angle: -a * a / ((2 * k - 1) * (2 * k)))
-        ends += [sine[0] / cosine[1], sine[1] / cosine[0]]
-    return outward((min(ends), max(ends)))
 
 
 def add_to(function, row, factor=1):
@@ -99,8 +60,9 @@ def add_to(function, row, factor=1):
 
 
 def value_at(polynomial, t):
-    total = Fraction(0)
-    for coefficient in reversed(polynomial):
+    """Of numbers, or of coefficients or a place that are enclosed."""
+    total = polynomial[-1]
+    for coefficient in reversed(polynomial[:-1]):
         total = total * t + coefficient
     return total
 

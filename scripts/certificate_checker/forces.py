@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The load of a follower: mass, spring, preload, viscous damping, and a load over the cam angle; of an arm inertia and moments."""
-import math
+"""The load of a follower: mass, spring, preload, viscous damping, and a load over the cam angle; of an arm inertia and moments.
+
+Theorem. F = mass speed^2 s'' + damping speed s' + rate s + preload + load, in N, speed in unit angles a second; of an arm s is an angle
+in rad, F a moment in N m. F is affine in (speed^2, speed), and over a range of speeds these lie in the convex hull of `corners`: a limit
+that is satisfied at all corners and is convex in F is satisfied at every speed of the range.
+"""
 
 from .exact import Unverified, number
 from .rational import Fraction
@@ -22,7 +26,6 @@ class Forces:
         self.points = self.points_of(problem, given)  # (x, load), ascending over one turn of the cam
         self.turn = self.points[-1][0] - self.points[0][0]
         self.corners = self.corners_of(problem, given)
-        self.rpm = float(problem.motion.get("speed_rpm") or float(problem.motion.get("speed_rad_s", 0)) * 30 / math.pi)
 
     def of_spring(self, given, key, unit):
         """A number; of a range its middle."""
@@ -58,23 +61,15 @@ class Forces:
                     raise Unverified("a speed and a range of speeds in two units")
                 shares = [number(end) / number(problem.motion[f"speed_{unit}"]) for end in given[f"speed_range_{unit}"]]
         low, high = (own * share for share in shares)
-        self.shares = [Fraction(1), *(share for share in shares if share != 1)]
         corners = [(own**2, own), *((end**2, end) for end in (low, high) if end != own)]
         if self.damping and low < high:
             corners.append((low * high, (low + high) / 2))
         return corners
 
-    def corners_named(self, remark):
-        """Those that a remark means, "at 0 rpm"; None: all of them."""
-        if remark is None:
-            return self.corners
-        if "rpm" not in remark:
-            return self.corners[:1]
-        if remark.startswith("between"):
-            return self.corners[-1:]
-        named = float(remark.split()[1])
-        nearest = min(range(1, len(self.shares)), key=lambda i: abs(float(self.shares[i]) * self.rpm - named), default=0)
-        return self.corners[nearest:nearest + 1]
+    def on_follower(self, numbers, corner, load, preload, rate):
+        """F of y, y', y'' at a corner of the speeds, with the load at that cam angle."""
+        square, speed = corner
+        return (numbers[2] * (self.mass * square) + numbers[1] * (self.damping * speed) + numbers[0] * rate) * self.lift + preload + load
 
     def is_constant(self):
         return len({load for _, load in self.points}) == 1

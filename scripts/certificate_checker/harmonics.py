@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Harmonics of the lift over one revolution, by the definition of docs/cams.md (spring surge).
 
-With y in lifts, b = rad of a unit of x and w = k b the amplitude of harmonic k is |E|, E = b / pi times the integral of y exp(i w x) dx. By
-parts that is, of polynomials, a sum over the ends of their pieces. Other laws are not known here.
+Theorem. With y in lifts, b = rad of a unit of x and w = k b the amplitude of harmonic k is |E|, E = b / pi times the integral of y exp(i w x) dx.
+Repeated integration by parts makes that, for polynomials, a sum over the ends of their pieces; E is affine in the control points, and
+`amplitude` encloses its coefficients. Assumption: laws along the motion are polynomials; others are not verified.
 """
 
-from .enclosures import Complex, Over, fraction
-from .exact import KEPT, PI, Refuted, Unverified, derivative, number, root, times, value_at
+from .enclosures import Complex, PI, fraction
+from .exact import KEPT, Refuted, Unverified, derivative, number, root, value_at
 from .laws import constant, polynomial_of
 from .phase_rows import Amplitude
 from .rational import Fraction
@@ -31,7 +32,7 @@ class Harmonics:
         """exp(i w x)."""
         part = order * x * self.unit / 360
         part -= round(part)
-        sine, cosine = Over.number(*times(PI, (2 * part, 2 * part))).sine_and_cosine()
+        sine, cosine = (PI * (2 * part)).sine_and_cosine()
         return Complex(cosine, sine)
 
     def along(self, polynomial, begin, end, powers, ends):
@@ -48,7 +49,7 @@ class Harmonics:
     def amplitude(self, order):
         if order in self.memory:
             return self.memory[order]
-        problem, wave = self.problem, Over.number(*times(PI, (order * self.unit / 180,) * 2))
+        problem, wave = self.problem, PI * (order * self.unit / 180)
         inverse = Complex(constant(0), -wave.inverse())  # 1 / (i w)
         powers = [inverse]
         for _ in range(problem.degree + 8):

@@ -12,14 +12,18 @@ P' = theta' P*, * for turned by +90 degrees, is r' e + r phi' e*. Times e* and e
 
 tan(pressure angle) = L dpsi/dL = -L theta' / L'. The guide's curvature is (L psi'' + 2 psi' + L^2 psi'^3) / (1 + L^2 psi'^2)^(3/2), here '
 by L: psi' = -theta'/L', psi'' = -(theta'' + psi' L'') / L'^2. Its walls are regular where 1 -+ r curvature > 0, r the roller's radius.
+
+Theorem. A limit is satisfied at a place where its formula is at or below 0: the formula is the limit's excess times a positive number, as
+long as the levers that it divides by keep their sign in the box (otherwise `Unverified`).
 """
 
 from .dimensions import Dimensions
 from .disk_rules import DiskRules
+from .enclosures import tangent
 from .laws import constant
-from .enclosures import Over
-from .exact import exactly, number, tangent
+from .exact import number
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of
+from .origins import rows_of
 from .rational import Fraction
 from .remote_rules import given_in
 from .units import enclosed
@@ -35,14 +39,13 @@ class InverseRules(Dimensions):
     displacements = staticmethod(DiskRules.displacements)
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
-        self.limits, self.room = problem.limits, constant(room)
-        super().__init__(given_in(scene["cam"], NAMES), found or {})
-        self.lift, self.beta = exactly(problem.lift[0]), enclosed(problem.unit_angle)
+        super().__init__(problem, given_in(scene["cam"], NAMES), found or {}, room)
+        self.beta = enclosed(problem.unit_angle)
         self.side, self.nearer = self.branch()
 
     def cost_unit(self):
         """What dimensions in the objective are divided by."""
-        return self.lift
+        return self.units_of_motion[0]
 
     def branch(self):
         """Which way along the rocker's line, and which of the two places there, is the pin of the scene: P . e < 0 at the nearer one.
@@ -58,7 +61,7 @@ class InverseRules(Dimensions):
         """P, r, e, tan phi and cos^2 phi at a displacement of the feeder."""
         pivot = self.pivot()
         rise = divided(s + self.size("feeder_start") - pivot[1], self.size("feeder_offset"))
-        square = (constant(1) + rise.square()).inverse()
+        square = (1 + rise.square()).inverse()
         cosine = square.root() * self.side
         e = cosine, cosine * rise
         foot = dot(pivot, e)
@@ -75,7 +78,7 @@ class InverseRules(Dimensions):
         ratio = divided(reach * per_slope, along)
         turning = per_slope * slope
         rate = ratio * slope
-        still = divided(-constant(2) * reach * turning.square() * rise - constant(2) * rate * turning * beside +
+        still = divided(-2 * reach * turning.square() * rise - 2 * rate * turning * beside +
                         rate.square() * beside, along)
         return ratio, rate, still
 
@@ -83,37 +86,32 @@ class InverseRules(Dimensions):
         """L, L', L'' by the cam angle, at a place in rises."""
         inverse, length = self.size("roller_angle").inverse(), self.size("roller_end") - self.size("roller_rest")
         begin = ((self.size("roller_from") - self.size("roller_rest")) * length.inverse()).root()
-        part = begin + x * Over.number(*self.beta) * inverse  # of the stroke
-        return self.size("roller_rest") + length * part.square(), constant(2) * length * part * inverse, \
-            constant(2) * length * inverse.square()
+        part = begin + x * self.beta * inverse  # of the stroke
+        return self.size("roller_rest") + length * part.square(), 2 * length * part * inverse, \
+            2 * length * inverse.square()
 
     def state(self, numbers):
         self.choose(numbers)
-        inverse, lift = Over.number(*self.beta).inverse(), Over.number(*self.lift)
-        return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse.square()
+        return self.states(numbers)
 
     # -- the rules
 
-    def formulas(self, key, order=None, sign=0, remark="", at=None):
-        """All rules that the key of a limit stands for at a place; of the margin one for either wall."""
-        name = key.removeprefix("limits.")
-        if remark:
-            return []
-        if name == "pressure_angle_deg" and sign:
-            found = [self.pressure(number(self.limits[name]), sign)]
-        elif name == "undercut_margin":
-            found = [self.margin(number(self.limits[name]), side) for side in (1, -1)]
-        else:
-            return []
-        return [lambda numbers, f=f: f(numbers, constant(at)) for f in found]
+    def formulas(self, origin, at):
+        """The rules of a limit at a place."""
+        return [lambda numbers, f=f: f(numbers, constant(at)) for f in self.along(origin)]
+
+    def along(self, origin):
+        """Those of the numbers and the place; of the margin one for either wall, the left one first."""
+        name = origin.key.removeprefix("limits.")
+        if name == "pressure_angle_deg" and origin.sign:
+            return [self.pressure(number(self.limits[name]), origin.sign)]
+        if name == "undercut_margin":
+            return [self.margin(number(self.limits[name]), side) for side in origin.chosen("station", (1, -1))]
+        return []
 
     def kept(self, key):
         """(formulas of the numbers and the place, nowhere above 0 along a motion that keeps the limit; further numbers)."""
-        if key == "pressure_angle_deg":
-            return [self.pressure(number(self.limits[key]), sign) for sign in (1, -1)], []
-        if key == "undercut_margin":
-            return [self.margin(number(self.limits[key]), side) for side in (1, -1)], []
-        return [], []
+        return [f for origin in rows_of(key) for f in self.along(origin)], []
 
     def pressures(self, limit, sign):
         """At rest the guide is a circle about the body's pivot."""
@@ -121,14 +119,14 @@ class InverseRules(Dimensions):
 
     def pressure(self, limit, sign):
         """sign (-L theta') cos(limit) <= L' sin(limit), over cos(limit) L |dtheta/ds|: linear in the feeder's velocity."""
-        steep = Over.number(*tangent(limit))
+        steep = tangent(limit)
 
         def rule(numbers, x):
             s, slope, _ = self.state(numbers)
             distance, speed, _ = self.roller(x)
             ratio = self.body(s, slope)[0]
             turns = sign_of(ratio)
-            return -constant(sign) * turns * slope - divided(steep * speed, turns * distance * ratio) - self.room
+            return -sign * turns * slope - divided(steep * speed, turns * distance * ratio) - self.room
         return rule
 
     def margin(self, least, side):
@@ -139,11 +137,11 @@ class InverseRules(Dimensions):
             ratio, rate, still = self.body(s, slope)
             guide = -rate * speed.inverse()
             steep = distance * guide
-            secant = constant(1) + steep.square()
+            secant = 1 + steep.square()
             bend = -(still + guide * forth) * speed.square().inverse()
-            top = distance * bend + guide * (constant(2) + steep.square())
-            room = constant(side) * top + (constant(least - 1) - self.room) * secant * secant.root() * \
+            top = distance * bend + guide * (2 + steep.square())
+            room = side * top + ((least - 1) - self.room) * secant * secant.root() * \
                 self.size("roller_radius").inverse()
             turns = sign_of(ratio)
-            return divided(room * speed.square(), turns * distance * ratio) - constant(side) * turns * acceleration
+            return divided(room * speed.square(), turns * distance * ratio) - side * turns * acceleration
         return rule

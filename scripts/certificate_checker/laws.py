@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Laws of the catalogue as formulas: f from 0 to 1 over 0 <= u <= 1, with its derivatives.
 
-Of most laws f'' has a formula piece by piece: a number and sines and cosines, or a line, up to a factor that makes f(1) = 1. Two widths
-of pieces are irrational and taken to 35 digits.
+Theorem. `pieces_of` encloses f, f', f'', f''' of a law at every u; `law_peak`, `square_integral` and `mean_of` enclose the largest value, the
+integral of the square and the mean. Of most laws f'' has a formula piece by piece: a number and sines and cosines, or a line, up to a factor
+that makes f(1) = 1. Two widths of pieces are irrational and taken to 35 digits.
 
 A law is named by its key, with numbers in place of its customary ones in brackets ("modified_sine(0.2)", "scca(sine = 1, constant = 2,
 cosine = 1, coast = 0)"). "polynomial" is, between velocities v and accelerations a of both ends by u,
@@ -12,11 +13,11 @@ an acceleration that is not given the one that makes the highest coefficient van
 import functools
 
 from . import enclosures
-from .enclosures import Over, ends_of
-from .exact import ORDERS, PI_ITSELF, PI, Unverified, derivative, integral, middle_of, product, root, shifted
+from .enclosures import Jet, PI, PI_ITSELF, ends_of
+from .exact import ORDERS, Unverified, derivative, integral, middle_of, product, root, shifted, value_at
 from .rational import Fraction
 
-PLACES, HALVINGS = 24, 90    # where a largest value is looked for in each piece, and how closely
+PLACES = 24                  # where a largest value is searched in each piece
 CLOSE = Fraction(5, 10**10)  # it is enclosed to this part of its size
 
 FIXED = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
@@ -77,7 +78,7 @@ def turns_back(name):
 
 
 def constant(value):
-    return Over.number(Fraction(value))
+    return Jet.number(Fraction(value))
 
 
 # -- pieces of f'': (width, a number, [(half turns of the argument, factor of the sine, of the cosine)])
@@ -96,11 +97,6 @@ def half_sine(width, height=1):
 
 def level(width, height=1):
     return width, height, []
-
-
-def mirrored(pieces):
-    """What follows them where f''(1 - u) = -f''(u)."""
-    return [(width, -a, [(h, -c, -s) if h == Fraction(1, 2) else (h, -s, c) for h, s, c in waves]) for width, a, waves in reversed(pieces)]
 
 
 def odd_sines(*amplitudes):
@@ -141,7 +137,7 @@ def half_of(key, numbers):
 
 
 def turned(pieces):
-    """Pieces of f'' of 1 - f(1 - u): a wave from its end, up to a sign."""
+    """Pieces of f'' of 1 - f(1 - u), a wave from its end, up to a sign; of the second half where f(u) + f(1 - u) = 1."""
     found = []
     for width, a, waves in reversed(pieces):
         own = []
@@ -162,10 +158,10 @@ def shape_of(law):
     own = one_dwell(key, numbers)
     if own is None and key.startswith("asymmetric_"):
         half, split = half_of(key[len("asymmetric_"):], {n: x for n, x in numbers.items() if n != "split"}), numbers["split"]
-        own = half and stretched(half, 2 * split) + stretched(mirrored(half), 2 * (1 - split))
+        own = half and stretched(half, 2 * split) + stretched(turned(half), 2 * (1 - split))
     if own is None:
         half = half_of(key, numbers)
-        own = half and half + mirrored(half)
+        own = half and half + turned(half)
     if not own:
         raise Unverified(f"the law {law}")
     return turned(own) if backwards else own
@@ -268,11 +264,11 @@ def polynomial_between(begin, end):
 @functools.cache
 def harmonic(law):
     """Pieces (width, a, [(w, b, c)], [f, f'] at its beginning) of f'' = a + sum of b sin w v + c cos w v, v from there."""
-    size, pi = None, Over.number(*PI)
+    size = None
     for _ in range(2):  # the second time with f(1) = 1
         found, begin = [], [constant(0), constant(0)]
         for width, a, waves in shape_of(law):
-            own = (width, constant(a), [(pi * constant(h / width), constant(s), constant(c)) for h, s, c in waves])
+            own = (width, constant(a), [(PI * (h / width), constant(s), constant(c)) for h, s, c in waves])
             if size:
                 own = (width, own[1] * size, [(w, s * size, c * size) for w, s, c in own[2]])
             found.append((*own, begin))
@@ -286,23 +282,15 @@ def along(_, a, waves, begin):
     inverses = [w.inverse() for w, _, _ in waves]
 
     def piece(v):
-        found = [begin[0] + begin[1] * v + a * v.square() * constant(Fraction(1, 2)), begin[1] + a * v, a, constant(0)]
+        found = [begin[0] + begin[1] * v + a * v.square() * Fraction(1, 2), begin[1] + a * v, a, constant(0)]
         for (w, b, c), inverse in zip(waves, inverses):
             sine, cosine = (w * v).sine_and_cosine()
-            rest = constant(1) - cosine
+            rest = 1 - cosine
             parts = (b * (v - sine * inverse) + c * inverse * rest) * inverse, (b * rest + c * sine) * inverse, b * sine + c * cosine, \
                 (b * cosine - c * sine) * w
             found = [f + part for f, part in zip(found, parts)]
         return found
     return piece
-
-
-def at_time(polynomial, t):
-    """A polynomial with coefficients that are enclosed, at a time that is."""
-    total = polynomial[-1]
-    for coefficient in reversed(polynomial[:-1]):
-        total = total * t + coefficient
-    return total
 
 
 @functools.cache
@@ -312,7 +300,7 @@ def pieces_of(law):
     if polynomials is None:
         return [(piece[0], along(*piece)) for piece in harmonic(law)]
     orders = [(width, [[constant(c) for c in derivative(y, order)] for order in range(4)]) for width, y in polynomials]
-    return [(width, lambda v, own=own: [at_time(c, v) for c in own]) for width, own in orders]
+    return [(width, lambda v, own=own: [value_at(c, v) for c in own]) for width, own in orders]
 
 
 def ends_of_law(law, order):
@@ -330,8 +318,8 @@ def motion_along(stretch, orders=3):
 
     def scaled(piece):
         def states(v):
-            found = [constant(rise / length**order) * f for order, f in enumerate(piece(v)[:orders])]
-            return [constant(stretch.start) + found[0]] + found[1:]
+            found = [(rise / length**order) * f for order, f in enumerate(piece(v)[:orders])]
+            return [stretch.start + found[0]] + found[1:]
         return states
 
     return [(width, scaled(piece)) for width, piece in pieces_of(stretch.law)]
@@ -347,42 +335,6 @@ def parts_along(stretch, orders):
 
 
 # -- largest values and integrals
-
-def largest_value(pieces, what):
-    """(low, high) around the largest of values (width, v -> value) over 0 <= v <= width."""
-    places = [(ends_of(value(constant(width * i / PLACES)))[0], i, width, value) for width, value in pieces for i in range(PLACES + 1)]
-    low = max(places, key=lambda own: own[0])[0]
-    size = max(abs(own[0]) for own in places)
-    for _, i, width, value in sorted(places, key=lambda own: -own[0])[:2]:
-        low = max(low, refined(value, width * max(0, i - 1) / PLACES, width * min(PLACES, i + 1) / PLACES))
-    high = low + size * CLOSE
-    for width, value in pieces:
-        if enclosures.least(lambda numbers, value=value: constant(high) - value(numbers[0]),
-                            [enclosures.interval(Fraction(0), width)], 0) is None:
-            raise Unverified(f"the largest {what} along a law")
-    return low, high
-
-
-def refined(value, begin, end):
-    """The largest of a value between two places, where it has one maximum: golden section."""
-    golden = Fraction(618033988749895, 10**15)
-    inner = [end - golden * (end - begin), begin + golden * (end - begin)]
-    found = [ends_of(value(constant(x)))[0] for x in inner]
-    for _ in range(HALVINGS // 2):
-        if found[0] < found[1]:
-            begin, inner, found = inner[0], [inner[1], None], [found[1], None]
-            inner[1] = rounded(begin + golden * (end - begin))
-            found[1] = ends_of(value(constant(inner[1])))[0]
-        else:
-            end, inner, found = inner[1], [None, inner[0]], [None, found[0]]
-            inner[0] = rounded(end - golden * (end - begin))
-            found[0] = ends_of(value(constant(inner[0])))[0]
-    return max(found)
-
-
-def rounded(x):
-    return Fraction(round(x * 2**100), 2**100)
-
 
 @functools.cache
 def square_integral(law, order):
@@ -406,13 +358,13 @@ def square_integral(law, order):
 def square_of(line, waves, x):
     """The integral over 0 <= v <= x of (line[0] + line[1] v + sum of s sin w v + c cos w v)^2."""
     two, half = constant(2), constant(Fraction(1, 2))
-    total = line[0].square() * x + line[0] * line[1] * x.square() + line[1].square() * x * x.square() * constant(Fraction(1, 3))
+    total = line[0].square() * x + line[0] * line[1] * x.square() + line[1].square() * x * x.square() * Fraction(1, 3)
 
     def of_wave(w):
         """Integrals of sin, cos, v sin, v cos."""
         sine, cosine = (w * x).sine_and_cosine()
         inverse = w.inverse()
-        s, c = (constant(1) - cosine) * inverse, sine * inverse
+        s, c = (1 - cosine) * inverse, sine * inverse
         return s, c, (c - x * cosine) * inverse, (x * sine - s) * inverse
 
     for i, (w, s, c) in enumerate(waves):
@@ -437,11 +389,11 @@ def mean_of(law):
     total = constant(0)
     for width, a, waves, begin in harmonic(law):
         x, half = constant(width), constant(Fraction(1, 2))
-        total = total + begin[0] * x + begin[1] * x.square() * half + a * x * x.square() * constant(Fraction(1, 6))
+        total = total + begin[0] * x + begin[1] * x.square() * half + a * x * x.square() * Fraction(1, 6)
         for w, b, c in waves:
             sine, cosine = (w * x).sine_and_cosine()
             inverse = w.inverse()
-            total = total + (b * (x.square() * half - (constant(1) - cosine) * inverse.square()) +
+            total = total + (b * (x.square() * half - (1 - cosine) * inverse.square()) +
                              c * inverse * (x - sine * inverse)) * inverse
     return middle_of(ends_of(total))[0]
 
@@ -458,6 +410,7 @@ def law_peak(law, name):
     def value(piece, sign):
         def at(v):
             found = piece(v)
-            return constant(sign) * (found[1] * found[2] if name == "torque" else found[ORDERS[name]])
+            return sign * (found[1] * found[2] if name == "torque" else found[ORDERS[name]])
         return at
-    return largest_value([(width, value(piece, sign)) for width, piece in pieces_of(law) for sign in (1, -1)], name)
+    return enclosures.largest([(0, width, value(piece, sign)) for width, piece in pieces_of(law) for sign in (1, -1)], PLACES, CLOSE,
+                              f"{name} along a law")

@@ -9,12 +9,13 @@ its parts along d and across it are
 
 d turns by psi' towards (cos psi, -sin psi), so that the path bends by w psi' across d beside w' along d: its curvature, > 0 where the plate
 below it is convex, is (sense w psi' N - D w') / v^3 where psi' turns, -D s'' / v^3 where it does not.
+
+Theorem. As of disk_rules.py, with the N, D and curvature above.
 """
 
 from .disk_rules import DiskRules
 from .dimensions import middle_size
-from .enclosures import Over
-from .exact import PI, PI_ITSELF, exactly, times
+from .enclosures import PI, PI_ITSELF
 from .laws import constant
 from .units import dimension_of, enclosed
 
@@ -41,13 +42,13 @@ class LinearRules(DiskRules):
     def pitch(self, numbers):
         s, slope, bend = self.states(numbers)
         size, way = self.sizes(numbers), constant(self.way)
-        slide = size["travel"] * Over.number(*times(exactly(2), PI)).inverse()
+        slide = size["travel"] * (2 * PI).inverse()
         if not self.swings:
-            sine, cosine = Over.number(*enclosed(self.inclination)).sine_and_cosine()
+            sine, cosine = enclosed(self.inclination).sine_and_cosine()
             return slope + slide * sine, way * slide * cosine, constant(0), constant(1), bend
         arm = size["arm_length"]
         start = (size["base_height"] + size["roller_radius"] - size["pivot_height"]) * arm.inverse()
-        sine, cosine = self.turned(start, (constant(1) - start.square()).root(), s)
+        sine, cosine = self.turned(start, (1 - start.square()).root(), s)
         speed = arm * slope
         return speed + slide * sine, way * slide * cosine, way * speed * slope, arm, bend
 

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""A machine: no motions at the speed that is said to be impossible, and the delivered ones keep every clearance."""
+"""A machine: several axes on one master, with clearances between them.
+
+Theorem. At a speed that is said to be impossible, multipliers of rows of all axes and clearances together are a contradiction (Farkas), and where
+limits only tighten with speed (`only_tightens`) there is no motion above it. The delivered motions satisfy their own limits (each axis is
+judged as a scene) and every clearance at every master angle, to within KEPT. If no speed is left to gain, no motions have less in total
+than the bound of all axes together.
+"""
 import json
 import tomllib
 
@@ -9,15 +15,16 @@ from .cam import Cam
 from .conditions import Conditions
 from .drive import Drive
 from .enclosures import ends_of
-from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted
+from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, require_every_row, shifted, value_at
 from .known import name_unknown_of_machine, name_what_is_unknown
-from .laws import at_time, constant, parts_along, polynomial_of
+from .laws import constant, parts_along, polynomial_of
 from .motion import Curve
+from .origins import Origin, read_certificate
 from .prescribed import state_at
 from .problem import Problem
 from .rational import Fraction, parsed
 from .references import references_of
-from .units import LENGTHS, angle_of, in_known_units, in_unit, with_known_rule
+from .units import LENGTHS, angle_of, in_known_units, in_unit
 from .valve import as_program
 
 TURN = Fraction(360)
@@ -194,15 +201,15 @@ def y_along(axis, curve, angle, width):
         return combination((1, [stretch.start]), (rise, [c * wide**m for m, c in enumerate(moved)]))
     parts = parts_along(stretch, 1)
     begin, _, motion = next((part for part in parts if at < part[1]), parts[-1])
-    return lambda u: motion(constant(at - wide / 2 - begin) + constant(wide) * u)[0]
+    return lambda u: motion((at - wide / 2 - begin) + wide * u)[0]
 
 
 def stays_below(polynomial, formulas, most):
     """Whether a polynomial of u in [0, 1] and formulas of it, each with its factor, are nowhere above `most` together."""
     if formulas:
         def room(numbers):
-            own = [constant(size) * formula(numbers[0]) for size, formula in formulas]
-            return constant(most) - sum(own, at_time([constant(c) for c in polynomial], numbers[0]))
+            own = [size * formula(numbers[0]) for size, formula in formulas]
+            return most - sum(own, value_at([constant(c) for c in polynomial], numbers[0]))
         return enclosures.least(room, [enclosures.interval(Fraction(0), Fraction(1))], 0) is not None
     return largest([(polynomial, Fraction(1))])[1] <= most
 
@@ -211,15 +218,14 @@ def add_rows(bounds, clearances, rows):
     """The constant that clearances leave."""
     left = Fraction(0)
     for row in rows:
-        origin = row["origin"]
-        clearance = next((c for c in clearances if c.name == origin["rule"]), None)
+        origin = Origin.of(row["origin"])
+        clearance = next((c for c in clearances if c.name == origin.key), None)
         if clearance:
-            left += clearance.use(bounds, in_unit((number(origin["at"]), "rad"), "deg"), number(row["multiplier"]))
-            continue
-        name, _, rule = origin["rule"].partition(": ")
-        if name not in bounds:
-            raise Refuted(f"the machine has no rule {origin['rule']}")
-        bounds[name].add_row(row | {"origin": origin | {"rule": rule}})
+            left += clearance.use(bounds, in_unit((origin.at, "rad"), "deg"), number(row["multiplier"]))
+        elif origin.axis in bounds:
+            bounds[origin.axis].add_row(row)
+        else:
+            raise Refuted(f"the machine has no rule {origin}")
     return left
 
 
@@ -235,9 +241,7 @@ def judge_least_objective(axes, clearances, curves, certificate, report):
         if not axis.problem.runs:  # prescribed: its objective is a number
             value += curves[axis.name].objective()[0]
             continue
-        bounds[axis.name].add_root_mean_squares(curves[axis.name])
-        bounds[axis.name].add_area()
-        value += bounds[axis.name].value()
+        value += bounds[axis.name].least_objective()
     report.say(f"bound: no motions of the machine have less in total than {float(value):.12g}; reached: {float(reached):.12g}")
     allowed = min(axis.problem.gap for axis in axes) * max(Fraction(1), abs(reached))
     if number(stated) - value > allowed / 10 or reached - value > allowed:
@@ -260,9 +264,7 @@ def judge_impossible(axes, clearances, proof, report):
                f"rounding {float(sum(b.residual for b in bounds.values())):.1e}")
     if value > 0:
         return
-    left_out = sorted({rule for bound in bounds.values() for rule in bound.left_out})
-    if left_out:
-        raise Unverified("rows of " + ", ".join(left_out))
+    require_every_row({rule for bound in bounds.values() for rule in bound.left_out})
     raise Refuted("the multipliers do not prove that there are no motions")
 
 
@@ -270,7 +272,7 @@ def judge_machine(folder, report, outcome_of):
     """`outcome_of`: of the result folder of one axis."""
     machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=parsed)
     result = json.loads((folder / "machine.json").read_text(), parse_float=parsed)
-    certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
+    certificate = read_certificate(folder / "certificate.json")
     name_unknown_of_machine(machine)
     verdict, impossible, (least, most) = result["verdict"], result["impossible_above_rpm"], speeds_of(machine)
     claims = [verdict, f"{len(machine['axis'])} axes"]
@@ -305,7 +307,7 @@ def judge_machine(folder, report, outcome_of):
     if impossible is not None:
         if number(impossible) <= number(result["speed_rpm"]):
             raise Refuted("motions are delivered at a speed that is said to be impossible")
-        proof = json.loads((folder / "impossible.json").read_text(), object_hook=with_known_rule)["proof"]
+        proof = read_certificate(folder / "impossible.json")["proof"]
         axes, clearances = at(number(impossible))
         judge_impossible(axes, clearances, proof, report)
         missing += not_above(axes) if verdict == "optimal" else []

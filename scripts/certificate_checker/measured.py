@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The distance of a motion from the rows of a measured table, as terms of the objective: the largest, and the root mean square."""
+"""The distance of a motion from the rows of a measured table, as terms of the objective: the largest, and the root mean square.
+
+Theorem. y less the displacement of a row is affine in the motion. So the largest distance is at least +-(y - row) of each row, and the root mean
+square, a norm, is at or above its tangent at any motion z: rms(y) >= <y, z> / |z|.
+"""
 import math
 
 from .enclosures import ends_of
@@ -98,15 +102,15 @@ class MeasuredTable:
         means = [sum(size[i]**2 for size in sizes) / len(sizes) for i in (0, 1)]
         return root(means[0])[0], root(means[1])[1]
 
-    def row(self, remark):
-        """The row "row 12 +" of a proof: ± the distance is at most the largest one."""
-        words = remark.split()
+    def row(self, origin):
+        """That of a row of the table in a proof: ± the distance is at most the largest one."""
+        row, sign = origin.which["row"], origin.which["side"]
         place = next((i for i, term in enumerate(self.problem.terms) if term.kind == "deviation"), None)
-        if place is None or words[0] != "row" or words[2] not in ("+", "-") or not 1 <= int(words[1]) <= len(self.rows):
-            raise Refuted(f"deviation ({remark}): the scene has no such rule")
-        sign, (k, function, ends) = 1 if words[2] == "+" else -1, self.rows[int(words[1]) - 1]
+        if place is None or sign not in (1, -1) or not 0 <= row < len(self.rows):
+            raise Refuted(f"{origin}: the scene has no such rule")
+        sign, (k, function, ends) = int(sign), self.rows[int(row)]
         reference = self.problem.terms[place].reference
-        return Row(f"deviation ({remark})", k or 0, {j: sign * w / reference for j, w in function.items()},
+        return Row(str(origin), k or 0, {j: sign * w / reference for j, w in function.items()},
                    -min(sign * end for end in ends) / reference, place)
 
     def tangent(self, curve, place):

@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The delivered motion."""
+"""The delivered motion.
+
+Theorem. `Curve` is a spline of the scene's own space that satisfies all of its conditions exactly, and whose distance from the delivered
+numbers is at most `distance` (y to y'''), relative to the peaks within STATED or JOINED. Its objective is enclosed, and its caps, bounds and
+strokes are satisfied at every x, to within KEPT.
+"""
 
 from .conditions import IMPLIED, Conditions
 from .exact import (

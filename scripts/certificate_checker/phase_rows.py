@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Rows of amplitudes in a bound: of an elastic follower's vibration, and of harmonics of the lift.
 
-Both are |E|, E complex and affine in the motion (train.py, at every speed of a range; harmonics.py). For any number u of magnitude 1
-that is at least Re(conj(u) E), which is affine. certificate.json names the speed or the harmonic of such a row, not its u: which is
-taken is free. The checker takes that of the delivered motion where there is one, turned such that with the other rows as little as
-can be is left.
+Theorem. Both are |E|, E complex and affine in the motion (train.py, at every speed of a range; harmonics.py). For any u of magnitude 1
+|E| >= Re(conj(u) E), which is affine: a row of every motion, whatever u. certificate.json names the speed or the harmonic of such a row, not
+its u. The checker takes that of the delivered motion where there is one, turned such that as little as possible is left of all rows.
 """
 
 from .exact import add_to, number, root
@@ -12,7 +11,6 @@ from .rational import Fraction
 from .runs import Row
 
 LIGHT = Fraction(1, 10**7)  # rows lighter than this part of the heaviest are left out
-SIX_DIGITS = Fraction(1, 10**5)
 FREE = Fraction(1, 10**4)   # how much less a turn is damped than that of a tangent: two speeds are no neighbours
 
 
@@ -69,14 +67,14 @@ def use_phase_rows(bound):
 
 def add_phase_row(bound, origin, multiplier):
     """Whether the row is one of these."""
-    problem, rule = bound.problem, origin["rule"]
+    problem, rule = bound.problem, origin.key
     if problem.train and rule.startswith(("residual", "limits.residual_")):
-        train, time = problem.train, time_of(problem.train, origin.get("remark", ""))
-        at = number(origin.get("at", 0))  # where what it is after ends
-        k = min(range(len(problem.runs)), key=lambda k: abs(problem.runs[k].stretches[-1].end - at))
+        train = problem.train
+        time = min(max(train.time_at(number(origin.which["speed_rpm"])), train.times[0]), train.times[1])  # any of the range will do
+        k = min(range(len(problem.runs)), key=lambda k: abs(problem.runs[k].stretches[-1].end - origin.at))  # what it is after
         place = next(i for i, term in enumerate(problem.terms) if term.kind == "residual")
         reference = problem.terms[place].reference
-        if origin["limit"]:  # the row is in parts of the limit
+        if origin.limit:  # the row is in parts of the limit
             multiplier *= reference / train.residual_limit()
 
         def residual():
@@ -85,20 +83,9 @@ def add_phase_row(bound, origin, multiplier):
         bound.ringing.append((("residual", k, time), residual, reference, place, multiplier))
         return True
     if problem.harmonics and rule.startswith("limits.spring_harmonic_"):
-        order = int(origin.get("remark", "").removeprefix("harmonic "))
+        order = int(origin.which["harmonic"])
         if order not in problem.harmonics.orders:
             return False
         bound.ringing.append((("harmonic", order), lambda: problem.harmonics.amplitude(order), problem.harmonics.most, None, multiplier))
         return True
     return False
-
-
-def time_of(train, remark):
-    """Seconds of a unit of x at the speed that a row names to six digits, "280 rpm"; any of the range will do. The ends of the range are
-    meant exactly: inside of it the largest amplitude is level there."""
-    words = remark.split()
-    if len(words) != 2 or words[1] != "rpm":
-        return train.times[0]
-    time = train.time_at(number(words[0]))
-    near = [end for end in train.times if abs(time - end) < end * SIX_DIGITS]
-    return near[0] if near else min(max(time, train.times[0]), train.times[1])

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Vectors (x, y) of enclosed numbers, and signs of numbers that are enclosed."""
+"""Vectors (x, y) of enclosed numbers, and signs of numbers that are enclosed.
+
+Theorem. Each function encloses its result where its operands do; `sign_of` is exact for a number whose enclosure does not contain 0.
+"""
 from .laws import constant
 from .exact import Unverified
 

@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
+"""Motions of laws and dwells only: there is exactly one.
 
-from .enclosures import Over, ends_of
-from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, number, root, tangent
+Theorem. Its peaks are those of its laws (`peak_of`). The scene is infeasible where that motion violates a limit at the place that the proof names
+(`judge_passed_limit`). Only dimensions of the cam may be chosen: each place that the proof names gives a lower bound of the one searched
+dimension, hence of the objective (`bound_of`).
+"""
+
+from .enclosures import Jet, ends_of, tangent
+from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, root
 from .laws import constant, jumps, law_peak, parts_along, turns_back
+from .origins import Origin
 from .rational import Fraction
 from .runs import Stretch
 from .units import dimension_of
@@ -76,7 +82,7 @@ def value_beside(problem, at, side, order):
 
 def rest_of(problem, stretch, at):
     """The same where a spline starts or ends at rest, or at the top of a rise and return; what is not known is any number."""
-    run, unknown = next(run for run in problem.runs if stretch in run.stretches), Over.number(-UNKNOWN, UNKNOWN)
+    run, unknown = next(run for run in problem.runs if stretch in run.stretches), Jet.number(-UNKNOWN, UNKNOWN)
     if problem.type == "RR" and abs(at - 1) <= SAME_PLACE:
         return [constant(1), constant(0), unknown, unknown]
     for place in (0, 1):
@@ -91,9 +97,9 @@ def judge_passed_limit(problem, proof, report):
     """The proof names a limit and a place."""
     if proof is None or proof["statement"] != "least_common_violation" or len(proof["rows"]) != 1:
         raise Unverified("infeasibility at a place that the scene prescribes without a row that says where")
-    origin = proof["rows"][0]["origin"]
-    rule, (at, side) = origin["rule"], problem.place_of(origin)
-    sides = [own for own in ("right", "left") if own == (side if "side" in origin else own) and
+    origin = Origin.of(proof["rows"][0]["origin"])
+    rule, (at, side) = origin.key, problem.place_of(origin)
+    sides = [own for own in ("right", "left") if own == (side if origin.side else own) and
              problem.stretch_at(problem.folded(at, own), own)]
     passed, unknown = False, None
     for side in sides:
@@ -132,7 +138,7 @@ def passes(problem, rule, at, side):
     if problem.cam and rule.startswith("cam.face_") and problem.cam.width:
         own += [(1, sign, problem.cam.width[1] * problem.cam.beta[1] / problem.cam.lift) for sign in (1, -1)]
     if own:
-        return any(ends_of(constant(sign) * state[order])[0] > most for order, sign, most in own)
+        return any(ends_of(sign * state[order])[0] > most for order, sign, most in own)
     if problem.cam is None or problem.cam.rules is None or not problem.cam.judged:
         raise Unverified(f"{rule} along a law")
     found = [] if problem.cam.searched else problem.cam.formulas_along(rule.removeprefix("limits."))
@@ -155,13 +161,13 @@ def bound_of(problem, curve, proof):
     (name, (least, _)), = cam.searched.items()
     left_out = set()
     for row in proof["rows"]:
-        origin = row["origin"]
-        if "at" not in origin or not row["multiplier"]:
+        origin = Origin.of(row["origin"])
+        if origin.at is None or not row["multiplier"]:
             continue
         at, side = problem.place_of(origin)
         found = least_dimension(cam, origin, state_at(problem, at, side)[0], name)
         if found is None:
-            left_out.add(origin["rule"])
+            left_out.add(origin.key)
         else:
             least = max(least, found)
     problem.left_out = left_out
@@ -170,7 +176,7 @@ def bound_of(problem, curve, proof):
 
 def least_dimension(cam, origin, state, name):
     """What a limit at a place demands of the base radius or the roller radius, m; None: nothing is made of it here."""
-    rule, sign, lift = origin["rule"], origin.get("sign", 0), cam.lift
+    rule, sign, lift = origin.key, origin.sign, cam.lift
     s, slope, bend = (ends_of(own) for own in state[:3])
     fixed = sum((size for other, size in cam.sizes.items() if other != name and other != "offset"), Fraction(0))
     squares = [b * b for b in cam.beta]
@@ -182,5 +188,5 @@ def least_dimension(cam, origin, state, name):
     if rule.endswith("pressure_angle_deg") and limit is not None and not cam.sizes.get("offset") and cam.follower != "translating_flat":
         # sign s' <= tan (base + roller + s)
         least = min(sign * lift * v / b for v in slope for b in cam.beta)
-        return min(least / steep for steep in tangent(limit)) - fixed - lift * s[1]
+        return min(least / steep for steep in ends_of(tangent(limit))) - fixed - lift * s[1]
     return None

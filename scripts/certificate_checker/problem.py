@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""The problem, from the scene alone."""
+"""The problem, from the scene alone.
+
+Theorem. The motions of the scene are the splines of `runs` that satisfy their conditions, joined with the laws and dwells of `stretches`; the
+objective is the sum of weight * term over `terms` plus what dimensions cost, and the limits are `terms` with a cap, `motion_caps`, `bounds`
+and those of the cam, the drive and the elastic follower. Assumption: the scene has passed known.py. Angles and units meet exactly, or with
+pi to 35 digits.
+"""
 import itertools
 
 from .conditions import AT_LIMIT, REST
-from .exact import ORDERS, PI_ITSELF, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
+from .enclosures import PI_ITSELF
+from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
 from .laws import REVERSED, ends_of_law, is_same, polynomial_between, turns_back
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
@@ -546,9 +553,8 @@ class Problem:
 
     def place_of(self, origin):
         """(x, the side) of a row. Nothing of the motion follows its end: a row there is one of what leads to it."""
-        at = number(origin["at"])
-        at_end = abs(at - self.copies * self.stretches[-1].end) <= SAME_PLACE
-        return at, "left" if at_end else origin.get("side", "right")
+        at_end = abs(origin.at - self.copies * self.stretches[-1].end) <= SAME_PLACE
+        return origin.at, "left" if at_end else origin.side or "right"
 
     # -- breakpoints and set points
 

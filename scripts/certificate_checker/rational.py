@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The exact rational numbers that every proof is computed in: gmpy2's (the GNU multiple precision library) where it is installed,
-which is two to five times faster, else those of Python's standard library. Both are exact, so that they prove the same;
+which is two to five times faster, else those of Python's standard library. Theorem. Both are exact, so that they prove the same;
 CAMOPT_STANDARD_RATIONALS in the environment selects the latter (tests compare them)."""
 import fractions
 import os

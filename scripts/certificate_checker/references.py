@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the objective divides by."""
+"""What the objective divides by.
+
+Theorem. Each reference is the scene's number, or the stated double within STATED of the enclosed peak of the reference law.
+"""
 from .exact import ORDERS, Refuted, STATED, Unverified, number
 from .laws import law_peak
 

@@ -19,16 +19,20 @@ the angle of u,
 
 The roller's centre moves across u, the common normal is (C_u - s l w', C_a) / |V|: tan(pressure angle) = (C_u - s l w') / C_a.
 The contact point, fixed to the lever, moves across l u - r normal instead, which makes the numerator C_u - s l w' - r |V| / l.
+
+Theorem. A limit is satisfied where its formula is at or below 0: the formula is the limit's excess times a positive number, as long as the
+levers that it divides by keep their sign in the box (otherwise `Unverified`). Assumption: the linkage stays in the branch of the scene.
 """
 
 from .dimensions import Dimensions, middle_size
 from .disk_rules import DiskRules
 from .laws import constant
-from .enclosures import Over
-from .exact import number, root, tangent, times
+from .enclosures import Jet, tangent
+from .exact import number, root
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
+from .origins import rows_of
 from .rational import Fraction
-from .units import angle_of, dimension_of, enclosed
+from .units import angle_of, dimension_of
 
 OF_THE_CAM = ("roller_radius", "roller_arm", "lever_pivot_x", "lever_pivot_y", "center_x", "center_y")
 OF_THE_LINKAGE = ("lever_arm", "lever_angle", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm", "rocker_output_arm",
@@ -48,23 +52,21 @@ class RemoteRules(Dimensions):
     displacements = staticmethod(DiskRules.displacements)
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
-        cam, linkage, self.limits, self.room = scene["cam"], scene["linkage"], problem.limits, constant(room)
-        super().__init__(given_in(cam, OF_THE_CAM) | given_in(linkage, OF_THE_LINKAGE, {"slider_angle": 90}), found or {})
+        cam, linkage = scene["cam"], scene["linkage"]
+        super().__init__(problem, given_in(cam, OF_THE_CAM) | given_in(linkage, OF_THE_LINKAGE, {"slider_angle": 90}), found or {}, room)
         self.kind, self.at_contact = linkage["type"], cam.get("pressure_angle_at") == "contact_point"
         self.sense = constant(-1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1)
         self.left = {name: constant(1 if linkage.get(name, "left") == "left" else -1)
                      for name in ("lever_branch", "rocker_branch")}
-        self.lift = enclosed(problem.lift)
-        self.beta = enclosed(problem.unit_angle)
         self.choose_middle()
         self.side = sign_of(dot(self.pivot(), across(self.roller_arm(constant(0))[0])))  # of C_a wherever the cam moves the lever
 
     def cost_unit(self):
         """What dimensions in the objective are divided by: the lift, of an output that swings times the distance of the lever's pivot."""
         if self.kind.endswith("slider"):
-            return self.lift
+            return self.units_of_motion[0]
         away = [middle_size(self.sizes[f"lever_pivot_{a}"]) - middle_size(self.sizes[f"center_{a}"]) for a in "xy"]
-        return times(self.lift, root(away[0]**2 + away[1]**2))
+        return self.units_of_motion[0] * Jet.number(*root(away[0]**2 + away[1]**2))
 
     def place(self, name):
         return self.size(name + "_x"), self.size(name + "_y")
@@ -88,7 +90,7 @@ class RemoteRules(Dimensions):
         joint, first, second = far
         v = minus(joint, pivot)
         inverse = dot(v, v).inverse()
-        p = (dot(v, v) + arm.square() - coupler.square()) * inverse * constant(Fraction(1, 2))
+        p = (dot(v, v) + arm.square() - coupler.square()) * inverse * Fraction(1, 2)
         q = (arm.square() * inverse - p.square()).root() * self.left[branch]
         own = plus(scaled(p, v), scaled(q, across(v)))
         gap, swing = minus(own, v), across(own)
@@ -123,23 +125,19 @@ class RemoteRules(Dimensions):
     def roller(self, numbers):
         """C_u, C_a, u's angle by the output to both orders, s' and s''."""
         self.choose(numbers)
-        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
-        way, rate, bend = self.roller_arm(numbers[0] * lift)
+        s, slope, acceleration = self.states(numbers)
+        way, rate, bend = self.roller_arm(s)
         pivot = self.pivot()
-        slope = numbers[1] * lift * inverse
-        return dot(pivot, way) + self.size("roller_arm"), dot(pivot, across(way)), rate, bend, slope, \
-            numbers[2] * lift * inverse.square()
+        return dot(pivot, way) + self.size("roller_arm"), dot(pivot, across(way)), rate, bend, slope, acceleration
 
     # -- the rules
 
-    def formulas(self, key, order=None, sign=0, remark=""):
-        """All rules that the key of a limit stands for. The sign tells rises from returns of the lever; as the pressure angle's
-        limit is the same for both, either sign must be kept."""
-        name = key.removeprefix("limits.")
-        if remark:
-            return []
-        if name == "pressure_angle_deg" and sign:
-            return [self.pressure(number(self.limits[name]), sign)]
+    def formulas(self, origin):
+        """The rules of a limit. The sign tells rises from returns of the lever; as the pressure angle's limit is the same for both,
+        either sign must be kept."""
+        name = origin.key.removeprefix("limits.")
+        if name == "pressure_angle_deg" and origin.sign:
+            return [self.pressure(number(self.limits[name]), origin.sign)]
         for start, factor in (("cam_radius_min_", 1), ("concave_radius_min_", -1)):
             if name.startswith(start):
                 return [self.excess(factor * dimension_of(self.limits, start.removesuffix("_")), constant(1))]
@@ -152,18 +150,17 @@ class RemoteRules(Dimensions):
 
     def kept(self, key):
         """(formulas that are nowhere above 0 along a motion that keeps the limit, further numbers of theirs)."""
-        signs = (1, -1) if key == "pressure_angle_deg" else (0,)
-        return [f for sign in signs for f in self.formulas("limits." + key, 1, sign)], []
+        return [f for origin in rows_of(key) for f in self.formulas(origin)], []
 
     def pressure(self, limit, sign):
         """sign (C_u - s l w') cos(limit) <= |C_a| sin(limit), over cos(limit) l |dw/ds|: linear in the output's velocity. At the
         contact point as it is, m. Where C_a has another sign than at rest nothing satisfies both sides."""
-        steep = Over.number(*tangent(limit))
-        cosine = (constant(1) + steep.square()).root().inverse()
+        steep = tangent(limit)
+        cosine = (1 + steep.square()).root().inverse()
 
         def rule(numbers):
             along, beside, rate, _, slope, _ = self.roller(numbers)
-            arm, side = self.size("roller_arm"), self.side * constant(sign)
+            arm, side = self.size("roller_arm"), self.side * sign
             lever = arm * rate
             if self.at_contact:
                 along = along - self.sense * lever * slope
@@ -179,11 +176,11 @@ class RemoteRules(Dimensions):
         """(roller + wider) curvature - share, times |V|^3 / (l |C_a dw/ds|): linear in the output's acceleration."""
         def rule(numbers):
             along, beside, rate, bend, slope, acceleration = self.roller(numbers)
-            arm, factor = self.size("roller_arm"), self.size("roller_radius") + constant(wider)
+            arm, factor = self.size("roller_arm"), self.size("roller_radius") + wider
             swing = arm * rate * slope
             v, w = self.sense * beside, swing - self.sense * along
             square = v.square() + w.square()
-            forth = constant(2) * self.sense * swing - swing * rate * slope - along
+            forth = 2 * self.sense * swing - swing * rate * slope - along
             aside = arm * bend * slope.square() - beside
             still = -self.sense * (v * aside - w * forth)
             lever = arm * rate * beside

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What a motion is made of, and what its objective is."""
+"""What a motion is made of, and what its objective is.
+
+Theorem. A `Row` is an inequality, function . c + searched . dimensions - peak <= most, that the module which makes it proves for every motion.
+"""
 
 from .conditions import Conditions
-from .exact import add_to
+from .exact import ORDERS, add_to
 from .rational import Fraction
 
 
@@ -95,6 +98,17 @@ class Peak:
 
     def __init__(self, kind, order, weight, reference, cap=None):
         self.kind, self.order, self.weight, self.reference, self.cap = kind, order, weight, reference, cap
+
+
+def name_of_peak(term):
+    """The name of its variable in proofs."""
+    return "peak " + next(name for name, order in ORDERS.items() if order == term.order) if term.kind == "peak" else \
+        "peak torque" if term.kind == "torque" else term.kind
+
+
+def name_in_run(name, k, count):
+    """The name in proofs of a number of spline k, one of so many."""
+    return name if count == 1 else f"{name} of run {k + 1}"
 
 
 class Row:

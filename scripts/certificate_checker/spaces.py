@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Spline spaces."""
+"""Spline spaces.
+
+Theorem. The piecewise polynomials of a degree on the breakpoints, with so many continuous derivatives, are the combinations of the basis
+(Cox and de Boor), exactly. A control point of the derivative r is at most `spread(r)` times the largest value of that derivative.
+"""
 import math
 
+from .conditions import eliminated
 from .exact import Refuted, SAME_PLACE, combination, derivative, product, value_at
 from .rational import Fraction
 
@@ -149,7 +154,7 @@ class Space:
         p, n = self.degree, self.size
         places = [sum(self.knots[j + 1:j + p + 1]) / p for j in range(n)]
         matrix = [self.functional(x, 0, "left" if x == self.breakpoints[-1] else "right") for x in places]
-        nearly = inverse([[float(row.get(j, 0)) for j in range(n)] for row in matrix])
+        nearly = eliminated([[float(row.get(j, 0)) for j in range(n)] + [float(i == j) for j in range(n)] for i, row in enumerate(matrix)])
         norm, rest = Fraction(0), Fraction(0)
         for i, row in enumerate(nearly):
             exact = [Fraction(value) for value in row]
@@ -198,18 +203,3 @@ def blossom(polynomial, places):
         for m in range(len(places), 0, -1):
             sums[m] += place * sums[m - 1]
     return sum((c * sums[m] / math.comb(len(places), m) for m, c in enumerate(polynomial)), Fraction(0))
-
-
-def inverse(matrix):
-    """Of a matrix of floating-point numbers, by Gauss and Jordan with the largest pivots; rounded."""
-    n = len(matrix)
-    rows = [row + [float(i == j) for j in range(n)] for i, row in enumerate(matrix)]
-    for k in range(n):
-        pivot = max(range(k, n), key=lambda i: abs(rows[i][k]))
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        rows[k] = [value / rows[k][k] for value in rows[k]]
-        for i in range(n):
-            factor = rows[i][k]
-            if i != k and factor:
-                rows[i] = [value - factor * other for value, other in zip(rows[i], rows[k])]
-    return [row[n:] for row in rows]

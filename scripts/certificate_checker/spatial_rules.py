@@ -6,23 +6,28 @@ The roller's axis moves across the cam's surface with V_u along its travel and V
 is regular where  1 - R (A . n - 2 F M) / W^2 - (R M / W)^2 = g > 0,  n the flank's normal, one for either side, R half the width of the
 groove. A force F on the follower presses with F / (lever |V_b| / W) along the normal, on the flank that pushes it on where F > 0, and over
 the width b of the roller with the pressure sqrt(N / (pi b C radius)), radius = r R g q / (r q^2 + (R - r) g), q^2 = 1 + (R M / W)^2.
+
+Theorem. A limit is satisfied at a station (a flank and a part of the roller's length) where its formula is at or below 0; `margin` holds at
+every part of the length.
 """
 
-from .dimensions import largest_of, middle_size
+from .dimensions import FollowerMotion, largest_of, middle_size
 from .disk_rules import LOADED, TOUCHES, carried_at
 from .forces import Forces
 from .laws import constant
-from .enclosures import Over
+from .enclosures import ends_of, tangent
 from .plane_vectors import sign_of
-from .exact import PI, exactly, number, tangent, times
+from .exact import number
+from .origins import rows_of
 from .rational import Fraction
 from .units import angle_of, dimension_of, enclosed
 
-PARTS = (Fraction(0), Fraction(1, 2), Fraction(1))  # of the roller's length: the stations
+PARTS = (Fraction(0), Fraction(1, 2), Fraction(1))  # of the roller's length
+STATIONS = [(flank, part) for part in PARTS for flank in (1, -1)]  # in camopt's order
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")
 
 
-class SpatialRules:
+class SpatialRules(FollowerMotion):
     """Lengths in m, angles in rad. `found`: of dimensions that are searched what was found; without it they are the numbers
     behind y''' in units of the largest they may be. `room`: by how much a rule may be passed."""
 
@@ -34,8 +39,8 @@ class SpatialRules:
         self.kind = "barrel" if cam["type"] == "barrel" else cam.get("follower")
         self.sizes = {name: dimension_of(cam, *self.keys(name)) for name in NAMES} | (found or {})
         self.searched, self.units = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}, dict.fromkeys(NAMES, "m")
-        self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
-        self.start = tuple(-end / 2 for end in reversed(self.lift)) if self.kind != "translating" else exactly(Fraction(0))
+        super().__init__(problem)
+        self.start = self.units_of_motion[0] * Fraction(-1, 2) if self.kind != "translating" else constant(0)
         given = angle_of(cam, "start_angle")
         if given:
             self.start = enclosed(given)
@@ -47,7 +52,7 @@ class SpatialRules:
 
     def cost_unit(self):
         """What dimensions in the objective are divided by: the lift, of what turns times the centre distance, the middle of its range."""
-        return self.lift if self.kind == "translating" else times(self.lift, exactly(middle_size(self.sizes["center_distance"])))
+        return self.units_of_motion[0] * (1 if self.kind == "translating" else middle_size(self.sizes["center_distance"]))
 
     def keys(self, name):
         """A translating follower's distance from the cam's axis is called the cylinder's radius."""
@@ -56,17 +61,16 @@ class SpatialRules:
     def size(self, name, numbers):
         if name not in self.searched:
             return constant(self.sizes[name])
-        return numbers[4 + list(self.searched).index(name)] * constant(largest_of(self.searched[name]))
+        return numbers[4 + list(self.searched).index(name)] * largest_of(self.searched[name])
 
     def axis(self, numbers, height):
         """V_u, V_b, F, A_u, A_b and the parts of e' of the axis at a height over its near end."""
-        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
-        slope, bend = numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
+        s, slope, bend = self.states(numbers)
         sense, none = constant(self.sense), constant(0)
         arm, distance, beside = (self.size(n, numbers) for n in ("arm_length", "center_distance", "lateral_offset"))
         if self.kind == "translating":
             return slope, sense * (distance - height), sense * beside, bend, -beside, none, -sense
-        sine, cosine = (Over.number(*self.start) + numbers[0] * lift).sine_and_cosine()
+        sine, cosine = (self.start + s).sine_and_cosine()
         if self.kind == "barrel":
             rho, lateral = distance - height, arm * cosine - beside
             return arm * slope - sense * rho * sine, -sense * rho * cosine, sense * lateral, \
@@ -74,68 +78,64 @@ class SpatialRules:
         rho = arm + height
         radial = distance - rho * cosine
         return rho * slope - sense * beside * sine, sense * radial, sense * beside * cosine, rho * bend - radial * sine, \
-            constant(2) * sense * rho * slope * sine - beside, slope, -sense * cosine
+            2 * sense * rho * slope * sine - beside, slope, -sense * cosine
 
-    def formulas(self, key, order=None, sign=0, remark=""):
-        """All rules that a limit stands for: at the near and the far end of the roller."""
-        if key == "limits.pressure_angle_deg" and sign and not remark:
-            return [self.pressure(number(self.limits["pressure_angle_deg"]), sign, part) for part in (Fraction(0), Fraction(1))]
-        if key == "limits.undercut_margin" and not remark:
-            return [self.scaled_margin(number(self.limits["undercut_margin"]), flank, part) for flank in (1, -1) for part in PARTS]
-        name, _, contact = key.removeprefix("limits.").partition(" (")
+    def formulas(self, origin):
+        """The rules of a limit at the roller's stations: the pressure angle and the height of the contact at its ends alone."""
+        name, stations = origin.key.removeprefix("limits."), origin.chosen("station", STATIONS)
+        if name == "pressure_angle_deg" and origin.sign:
+            return [self.pressure(number(self.limits[name]), origin.sign, part) for part in self.ends(stations)]
+        if name == "undercut_margin":
+            return [self.scaled_margin(number(self.limits[name]), *station) for station in stations]
         if name not in LOADED or not self.forces:
             return []
-        if contact.startswith("undercut"):
-            return [self.scaled_margin(TOUCHES, flank, part) for flank in (1, -1) for part in PARTS]
-        if contact:
-            return [self.near(part) for part in PARTS[::2]]
-        place, _, speed = remark.rpartition(", ") if "rpm" in remark and "," in remark else (("", "", remark) if "rpm" in remark else (remark, "", ""))
-        return [rule for corner in self.forces.corners_named(speed) for rule in self.loads(name, corner, place)]
+        if origin.part == "undercut":
+            return [self.scaled_margin(TOUCHES, *station) for station in stations]
+        if origin.part == "contact_height":
+            return [self.near(part) for part in self.ends(stations)]
+        return [rule for corner in origin.chosen("load_speed", self.forces.corners, 0) for rule in self.loads(name, corner, origin, stations)]
+
+    @staticmethod
+    def ends(stations):
+        return [part for part in PARTS[::2] if part in [own for _, own in stations]]
 
     def kept(self, key):
         """(formulas that are nowhere above 0 along a motion that keeps the limit, further numbers of theirs)."""
-        if key == "pressure_angle_deg":
-            return [f for sign in (1, -1) for f in self.formulas("limits." + key, 1, sign)], []
-        if key in LOADED and self.forces:
-            return [rule for corner in self.forces.corners for rule in self.loads(key, corner)], []
         if key == "undercut_margin":
             margin = number(self.limits[key])
             return [self.margin(margin, flank) for flank in (1, -1)], [(Fraction(0), Fraction(1))]
-        return [], []
+        return [f for origin in rows_of(key) for f in self.formulas(origin)], []
 
     def groove(self, numbers):
         """Half its width."""
-        return self.size("roller_radius", numbers) + constant(self.wider)
+        return self.size("roller_radius", numbers) + self.wider
 
     def height(self, part, numbers):
-        return constant(part) * self.size("roller_length", numbers)
+        return part * self.size("roller_length", numbers)
 
     def pressures(self, limit, sign):
         return []
 
     def pressure(self, limit, sign, part):
         """sign V_u cos - |V_b| sin, at a part of the roller's length."""
-        steep = Over.number(*tangent(limit))
-        cosine = (constant(1) + steep.square()).root().inverse()
+        steep = tangent(limit)
+        cosine = (1 + steep.square()).root().inverse()
         sine = cosine * steep
         above = constant(-self.sense if self.kind == "barrel" else self.sense)
 
         def rule(numbers):
             across, along = self.axis(numbers, self.height(part, numbers))[:2]
-            return constant(sign) * across * cosine - above * along * sine - self.room
+            return sign * across * cosine - above * along * sine - self.room
         return rule
 
-    def loads(self, name, corner, place=""):
-        """The rules of a limit on a load; `place`: one station or one side alone, "50 % of the roller, flank +"."""
-        def named(part, flank):
-            return not place or place == f"{float(100 * part):.0f} % of the roller, flank {'+' if flank > 0 else '-'}"
+    def loads(self, name, corner, origin, stations):
+        """The rules of a limit on a load."""
         if name == "torque_max_nm":
-            return [self.torque(sign, corner) for sign in (1, -1)]
+            return [self.torque(sign, corner) for sign in origin.signs("torque")]
         if name == "contact_force_max_n":
-            return [self.largest_force(flank, corner) for flank in (1, -1) if place in ("", f"flank {'+' if flank > 0 else '-'}")]
+            return [self.largest_force(pressed, corner) for pressed in origin.chosen("side", (1, -1))]
         if name == "hertz_pressure_max_mpa":
-            most = number(self.limits[name]) * 10**6
-            return [self.hertz(most, corner, flank, part) for flank in (1, -1) for part in PARTS if named(part, flank)]
+            return [self.hertz(number(self.limits[name]) * 10**6, corner, *station) for station in stations]
         return []
 
     def unscaled(self, rule):
@@ -145,10 +145,7 @@ class SpatialRules:
         return lambda numbers: (rule(numbers) - self.room) * size
 
     def force(self, numbers, corner):
-        """mass speed^2 s'' + damping speed s' + rate s + preload + load; of what turns the moment."""
-        own, (square, speed) = self.forces, corner
-        return numbers[2] * constant(own.mass * square * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
-            constant(own.rate) * numbers[0] * constant(own.lift) + constant(own.preload) + self.load
+        return self.forces.on_follower(numbers, corner, self.load, self.forces.preload, self.forces.rate)
 
     def pressed(self, flank):
         """The sign of the force that presses on a flank."""
@@ -157,18 +154,18 @@ class SpatialRules:
     def torque(self, sign, corner):
         """sign F s' / most - 1, s' by the cam's angle in rad."""
         factor = constant(sign / number(self.limits["torque_max_nm"]))
-        rate = Over.number(*self.lift) * Over.number(*self.beta).inverse()
-        return self.unscaled(lambda numbers: self.force(numbers, corner) * numbers[1] * rate * factor - constant(1))
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * self.states(numbers)[1] * factor - 1)
 
-    def largest_force(self, flank, corner):
+    def largest_force(self, pressed, corner):
+        """`pressed`: the sign of the force that presses on the side."""
         most = number(self.limits["contact_force_max_n"])
-        return self.unscaled(lambda numbers: self.force(numbers, corner) * constant(self.pressed(flank) / most) - constant(1))
+        return self.unscaled(lambda numbers: self.force(numbers, corner) * (pressed / most) - 1)
 
     def near(self, part):
         """The axis of the cam stays away from that of the roller, by parts of the centre distance."""
         above = constant(-self.sense if self.kind == "barrel" else self.sense)
         inverse = constant(1 / middle_size(self.sizes["center_distance"]))
-        return self.unscaled(lambda numbers: constant(TOUCHES) - above * self.axis(numbers, self.height(part, numbers))[1] * inverse)
+        return self.unscaled(lambda numbers: TOUCHES - above * self.axis(numbers, self.height(part, numbers))[1] * inverse)
 
     def hertz(self, most, corner, flank, part):
         """F <= carried * radius * lever, in parts of a unit of force (of what turns: of a moment)."""
@@ -183,13 +180,13 @@ class SpatialRules:
             speed, groove = inverse.root(), radius + wider
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
             twist = (groove * tilt * inverse).square()
-            g = constant(1) - side * groove * (turn - constant(2) * beside * tilt) * inverse * speed - twist
-            inclined = constant(1) + twist
+            g = 1 - side * groove * (turn - 2 * beside * tilt) * inverse * speed - twist
+            inclined = 1 + twist
             contact = radius * groove * g * inclined.root() * (radius * inclined + wider * g).inverse()
             lever = constant(1) if self.kind == "translating" else self.size("arm_length", numbers)
             if self.kind == "rotating":
                 lever = lever + height
-            press = self.force(numbers, corner) * constant(self.pressed(flank) / unit)
+            press = self.force(numbers, corner) * (self.pressed(flank) / unit)
             return press - carried * contact * lever * above * along * speed
         return self.unscaled(rule)
 
@@ -202,8 +199,8 @@ class SpatialRules:
             across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(numbers, height)
             inverse = (across.square() + along.square()).inverse()
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
-            bend = (turn - constant(2) * beside * tilt) * inverse * inverse.root()
-            return constant(least) - constant(1) + side * radius * bend + (radius * tilt * inverse).square() - self.room
+            bend = (turn - 2 * beside * tilt) * inverse * inverse.root()
+            return least - 1 + side * radius * bend + (radius * tilt * inverse).square() - self.room
         return rule
 
     def scaled_margin(self, least, flank, part):
@@ -219,10 +216,9 @@ class SpatialRules:
             across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(still, height)
             square = across.square() + along.square()
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
-            room = constant(least - 1) * square * square.root() * radius.inverse() + \
-                side * (turn - constant(2) * beside * tilt) + radius * tilt.square() * square.root().inverse()
-            sign, inverse = sign_of(along), Over.number(*self.beta).inverse()
-            bend = numbers[2] * Over.number(*self.lift) * inverse.square()
+            room = (least - 1) * square * square.root() * radius.inverse() + \
+                side * (turn - 2 * beside * tilt) + radius * tilt.square() * square.root().inverse()
+            sign, bend = sign_of(along), self.states(numbers)[2]
             return room * (lever * sign * along).inverse() - side * sign * bend - self.room
         return rule
 
@@ -231,5 +227,6 @@ class SpatialRules:
         its least angle the index stands, and the limit says that it stands no farther aside than the limit."""
         if self.kind != "barrel" or "pressure_angle_deg" not in self.limits:
             return None
-        most = times(PI, exactly(number(self.limits["pressure_angle_deg"]) / 180))[1]
-        return (-most - self.start[1]) / self.lift[0], (most - self.start[0]) / self.lift[0]
+        most = ends_of(enclosed((number(self.limits["pressure_angle_deg"]), "deg")))[1]
+        start, lift = ends_of(self.start), ends_of(self.units_of_motion[0])[0]
+        return (-most - start[1]) / lift, (most - start[0]) / lift

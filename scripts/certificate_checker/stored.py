@@ -1,8 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The file's own arithmetic."""
+"""The file's own arithmetic, repeated exactly.
+
+Theorem. `stored_bound` is the number that the file's own rows, multipliers and box prove by weak duality; the box contains the delivered motion
+(`check_box`). Nothing else relies on these rows: bound.py builds its own.
+"""
+
+import itertools
 
 from .exact import ORDERS, Refuted, STATED, number
 from .rational import Fraction
+from .runs import name_in_run, name_of_peak
+
+QUOTE = "'"  # of a derivative in the name of a state
 
 
 def stored_bound(proof):
@@ -35,8 +44,7 @@ def factor_of(proof, problem):
     then are in other units, and its multipliers are all smaller (or larger) by this factor."""
     for name, cost in zip(proof["variables"], proof["cost"]):
         for term in problem.terms:
-            own = "peak " + next(n for n, o in ORDERS.items() if o == term.order) if term.kind == "peak" else term.kind
-            if term.weight and name == own and own.startswith(("peak", "deviation")) and cost and term.kind != "deviation_rms":
+            if term.weight and cost and term.kind in ("peak", "deviation") and name == name_of_peak(term):
                 return term.weight / number(cost)
     return Fraction(1)
 
@@ -44,18 +52,18 @@ def factor_of(proof, problem):
 def check_box(proof, result, problem, factor):
     """The box is said to hold the best motion: the delivered one lies in it. States at the joints of several strokes may be in
     units of either."""
-    sizes = {"'" * order: problem.references[name] / factor for name, order in ORDERS.items()} | {"": Fraction(1)}
+    sizes = [Fraction(1)] + [problem.references[name] / factor for name in ORDERS]
+    curves, design = result["motion"]["curves"], dict(zip(result["design"]["names"], result["design"]["values"]))
     values = {}
-    for name, value in zip(result["design"]["names"], result["design"]["values"]):
-        own = name.split(" of run ")[0]
-        marks = "'" * own.count("'")
-        if name.startswith("y") and marks in sizes:
-            values[name] = [number(value) / sizes[marks] / size for size in strokes_at(result, problem, name, len(marks))]
-    for name, order in ORDERS.items():
-        size = sizes.get("'" * order)
-        term = next((t for t in problem.terms if t.kind == "peak" and t.order == order), None)
-        if size and term:
-            values["peak " + name] = [number(result["peaks"][name]["value"]) / size]
+    for (k, curve), (order, size) in itertools.product(enumerate(curves), enumerate(sizes)):
+        for i, x in enumerate(curve["breakpoints"]):
+            name = name_in_run(f"y{order * QUOTE}[{i}]", k, len(curves))
+            if name in design:
+                values[name] = [number(design[name]) / size / own for own in strokes_at(problem, number(x), order)]
+    for term in problem.terms:
+        if term.kind == "peak":
+            name = next(name for name, order in ORDERS.items() if order == term.order)
+            values[name_of_peak(term)] = [number(result["peaks"][name]["value"]) / sizes[term.order]]
     for name, low, high in zip(proof["variables"], proof["box"]["lower"], proof["box"]["upper"], strict=True):
         if name in values and not any((low is None or v >= number(low) - STATED * 1000 * max(1, abs(v))) and
                                       (high is None or v <= number(high) + STATED * 1000 * max(1, abs(v)))
@@ -63,14 +71,11 @@ def check_box(proof, result, problem, factor):
             raise Refuted(f"the box of {name} does not hold the delivered motion")
 
 
-def strokes_at(result, problem, name, order):
-    """What a state of a breakpoint, "y''[3] of run 2", may be in units of: of one stroke, or of two that join there."""
+def strokes_at(problem, x, order):
+    """What a derivative at a breakpoint may be in units of: of one stroke, or of two that join there."""
     if problem.type == "RR":  # beyond the top in units of the return
         return [Fraction(1), 1 / (problem.stretches[0].end - 1)**order]
     if len(problem.stretches) == 1 or not order:
         return [Fraction(1)]
-    index, _, run = name.split("[")[1].partition("]")
-    curve = result["motion"]["curves"][int(run.removeprefix(" of run ") or 1) - 1]
-    x = number(curve["breakpoints"][int(index)])
     return [Fraction(1)] + [s.scale(order) for s in problem.stretches
                             if s.kind == "spline" and s.begin - STATED <= x <= s.end + STATED]

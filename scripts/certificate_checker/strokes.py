@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What a stroke may pass: motion.within_lift and motion.monotone."""
+"""What a stroke may pass: motion.within_lift and motion.monotone.
+
+Theorem. `stroke_of` gives the range least <= y <= most that the scene demands of a stroke, None where set points or what is beside it open it;
+`turning_points` and `points_at_limits` are conditions that every motion of the scene satisfies.
+"""
 
 from .exact import ORDERS, STATED, number
 from .rational import Fraction

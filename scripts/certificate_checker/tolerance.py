@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Tolerances: every limit holds for all cams within them.
 
-A made cam moves its follower by y + e_0 with slopes y' + e_1, y'' + e_2, |e_r| <= E_r in lifts by x^r, and its numbers lie within half a
-width of those of the scene. A row at any cam within them is a row of the scene, since the scene demands all of them; the delivered motion
-is held against every choice of ends. What lies between the ends is not looked at along it: camopt encloses that (between_ends.hpp)."""
+Theorem. A made cam moves its follower by y + e_0 with slopes y' + e_1, y'' + e_2, |e_r| <= E_r in lifts by x^r, and its numbers are within half a
+width of those of the scene. A row at any cam within the tolerances is a row of the scene, since the scene demands all of them; the delivered
+motion is judged at every choice of ends. Cams between the ends are not judged along it: camopt encloses those (between_ends.hpp).
+"""
 import itertools
 import re
 
 from .dimensions import largest_of
-from .exact import Unverified, number
-from .laws import constant
+from .exact import Refuted, Unverified, number
 from .rational import Fraction
 from .units import LENGTHS, angle_of, dimension_of, in_unit
 
@@ -110,21 +110,15 @@ class Tolerances:
             yield Corner([sign * error for sign, error in zip(ends, self.motion)],
                          {name: sign * size for sign, (name, size) in zip(ends[3:], self.numbers.items())})
 
-    def named(self, remark):
-        """(the remark without it, the corner) of "outer flank, made s+ s'-0.25, base_radius-": at an end, or a part of the tolerance."""
-        start = remark.find("made ")
-        if start < 0:
-            return remark, None
-        motion, numbers = [Fraction(0)] * 3, {}
-        for word in re.split(r",? ", remark[start + len("made "):]):
-            name, sign, part = re.fullmatch(r"(.*?)([+-])([\d.e-]*)", word).groups()
-            sign = number(part or "1") * (1 if sign == "+" else -1)
-            if name in MARKS:
-                motion[MARKS.index(name)] = sign * self.motion[MARKS.index(name)]
-            else:
-                own = name if name in self.numbers else "forces." + name
-                numbers[own] = sign * self.numbers[own]
-        return remark[:start].removesuffix(", "), Corner(motion, numbers)
+    def made(self, parts):
+        """The cam at these parts of the tolerances, from -1 to 1 by their names."""
+        if any(not -1 <= part <= 1 for part in parts.values()):
+            raise Refuted("a cam outside of its tolerances")
+        motion, numbers = [number(parts.get(mark, 0)) * error for mark, error in zip(MARKS, self.motion)], {}
+        for name in parts.keys() - set(MARKS):
+            own = name if name in self.numbers else "forces." + name
+            numbers[own] = number(parts[name]) * self.numbers[own]
+        return Corner(motion, numbers)
 
 
 class MadeRules:
@@ -141,7 +135,7 @@ class MadeRules:
         errors = self.corner.motion + [Fraction(0)] + self.searched_errors
 
         def rule(numbers, *more):
-            return formula([n if not e else n + constant(e) for n, e in
+            return formula([n if not e else n + e for n, e in
                             itertools.zip_longest(numbers, errors[:len(numbers)], fillvalue=Fraction(0))], *more)
         return rule
 

@@ -21,13 +21,17 @@ Let J(x) be the same integral of y''; that of y' is (J - y') / L. By parts, with
 After the last breakpoint, at rest, nothing of the second sum is left: there E = ((1 - s) 2 z w / L - s) J.
 
 The force on the cam in units of K lift:  s P / (K lift) + s (1 - s) y + 2 z / w (1 - s) y' - s e - 2 z / w e'.
+
+Theorem. `residual` encloses the largest amplitude of the free vibration after the motion over all speeds of the range, `keep_force` proves that
+the force on the cam is at or above its limit at every instant and speed. Assumptions: one mass, damped below critical, at rest before each
+run of splines.
 """
 import itertools
 
 from . import enclosures
-from .enclosures import Complex, Over
-from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
-from .laws import at_time, constant, harmonic
+from .enclosures import Complex, Jet, PI
+from .exact import KEPT, STATED, Refuted, Unverified, derivative, number, root, value_at
+from .laws import constant, harmonic
 from .rational import Fraction
 from .runs import Peak
 from .units import in_unit
@@ -55,22 +59,22 @@ class Train:
         mass, back = number(given["mass_kg"]), number(given.get("return_spring_n_m", 0))
         self.frequency = self.frequency_of(given, mass, back)
         square = self.frequency.square()
-        self.stiffness = constant(mass) * square                       # K
-        self.share = constant(1) - constant(back) * self.stiffness.inverse()  # s
+        self.stiffness = mass * square                       # K
+        self.share = 1 - back * self.stiffness.inverse()  # s
         self.damping = constant(number(given.get("damping_ratio", 0)))
         if "damping_n_s_m" in given:
-            self.damping = constant(number(given["damping_n_s_m"]) / (2 * mass)) * self.frequency.inverse()
+            self.damping = (number(given["damping_n_s_m"]) / (2 * mass)) * self.frequency.inverse()
         if self.damping.value[1] >= enclosures.ONE:
             raise Unverified("an elastic follower that is damped above critical")
-        self.ring = (constant(1) - self.damping.square()).root()       # sqrt(1 - z^2)
-        self.preload = constant(number(given.get("preload_n", 0)) / self.lift) * self.stiffness.inverse()
+        self.ring = (1 - self.damping.square()).root()       # sqrt(1 - z^2)
+        self.preload = (number(given.get("preload_n", 0)) / self.lift) * self.stiffness.inverse()
         self.times = self.times_of(given)
         self.memory = {}
 
     def frequency_of(self, given, mass, back):
         """sqrt(K / m), rad/s."""
         if "natural_frequency_hz" in given:
-            return Over.number(*times(PI, exactly(2 * number(given["natural_frequency_hz"]))))
+            return PI * (2 * number(given["natural_frequency_hz"]))
         if "natural_frequency_rad_s" in given:
             return constant(number(given["natural_frequency_rad_s"]))
         return constant((number(given["stiffness_n_m"]) + back) / mass).root()
@@ -130,8 +134,8 @@ class Train:
     def after_rest(self, whole, time):
         """E from J."""
         exponent, w, _ = self.exponent(time)
-        rest = constant(1) - self.share
-        factor = exponent.inverse().scaled(rest * constant(2) * self.damping * w) - Complex(self.share, constant(0))
+        rest = 1 - self.share
+        factor = exponent.inverse().scaled(rest * 2 * self.damping * w) - Complex(self.share, constant(0))
         return factor * whole
 
     def amplitude_square(self, whole, time):
@@ -139,24 +143,8 @@ class Train:
 
     def largest(self, formula):
         """(low, high) around the largest root of a formula of the time, over the speeds of the range."""
-        low, high = self.times
-
-        def at(time):
-            return enclosures.at_place(formula, [enclosures.interval(time)[0]]).value[0]
-
-        places = [low + (high - low) * Fraction(i, PLACES) for i in range(PLACES + 1)]
-        values = [at(place) for place in places]
-        best = max(range(len(places)), key=values.__getitem__)
-        a, b = places[max(0, best - 1)], places[min(PLACES, best + 1)]
-        while b - a > (high - low) / 10**9:
-            left, right = (number(float(a + (b - a) * Fraction(part, 3))) for part in (1, 2))
-            a, b = (left, b) if at(left) < at(right) else (a, right)
-        peak = max(values + [at(a), at(b)])
-        enough = -peak - enclosures.multiplied((peak, peak), enclosures.interval(SAME_PEAK))[1]
-        ends = [enclosures.interval(low)[0], enclosures.interval(high)[1]]
-        if enclosures.least(lambda z: -formula(z), [tuple(ends)], enough) is None:
-            raise Unverified("the largest amplitude over the speeds")
-        return enclosures.fraction(enclosures.rooted((peak, peak))[0]), enclosures.fraction(enclosures.rooted((-enough,) * 2)[1])
+        squares = enclosures.largest([(*self.times, formula)], PLACES, SAME_PEAK, "amplitude over the speeds")
+        return root(squares[0])[0], root(squares[1])[1]
 
     def residual(self, curve):
         """(low, high) around the largest amplitude after the motion, over the speeds of the range."""
@@ -167,7 +155,7 @@ class Train:
         """The same after one run."""
         if k not in self.memory:
             jumps = self.jumps_of([(p, w) for p, w, _, _ in curve.cam_pieces()[k]])
-            self.memory[k] = self.largest(lambda z: self.amplitude_square(self.rung(jumps, z[0])[-1], z[0]))
+            self.memory[k] = self.largest(lambda time: self.amplitude_square(self.rung(jumps, time)[-1], time))
         return self.memory[k]
 
     def residual_of_law(self, law):
@@ -175,21 +163,21 @@ class Train:
         exp(L (t - u)) exp(i g u) is (h - exp(L t)) / (i g - L), its real and its imaginary part by +g and -g."""
         parts, half = harmonic(law), constant(Fraction(1, 2))
 
-        def formula(z):
-            exponent = self.exponent(z[0])[0]
+        def formula(time):
+            exponent = self.exponent(time)[0]
             total = Complex(constant(0), constant(0))
             for width, a, waves, _ in parts:
                 t = constant(width)
-                gone = exponent.scaled(t * constant(Fraction(1, 4))).exponential()
+                gone = exponent.scaled(t * Fraction(1, 4)).exponential()
                 gone = gone * gone
                 gone = gone * gone
                 own = (gone - Complex(constant(1), constant(0))) * exponent.inverse().scaled(a)
                 for sign, (g, b, c) in itertools.product((1, -1), waves):
-                    turn = Complex(constant(0), constant(sign) * g)
+                    turn = Complex(constant(0), sign * g)
                     spun = (turn.scaled(t).exponential() - gone) * (turn - exponent).inverse()
-                    own = own + spun * Complex(c * half, constant(-sign) * b * half)
+                    own = own + spun * Complex(c * half, -sign * b * half)
                 total = total * gone + own
-            return self.amplitude_square(total, z[0])
+            return self.amplitude_square(total, time)
         return self.largest(formula)
 
     def residual_functions(self, run, time):
@@ -218,8 +206,8 @@ class Train:
 
     def keep_force(self, curve, least, k):
         """The force on the cam, N, along a run at every speed, and in the dwells beside it."""
-        wanted = constant(least * (1 - KEPT) / self.lift) * self.stiffness.inverse()
-        rest, two = constant(1) - self.share, constant(2)
+        wanted = (least * (1 - KEPT) / self.lift) * self.stiffness.inverse()
+        rest, two = 1 - self.share, constant(2)
         ends = [enclosures.interval(self.times[0])[0], enclosures.interval(self.times[1])[1]]
         jumps, known = self.jumps_of([(p, w) for p, w, _, _ in curve.cam_pieces()[k]]), {}
 
@@ -235,7 +223,7 @@ class Train:
             def room(z, i=i, orders=orders):
                 t, time = z
                 exponent, w, v = self.exponent(time)
-                states = [at_time(c, t) for c in orders]
+                states = [value_at(c, t) for c in orders]
                 powers = self.powers(exponent, HIGHEST - 2)
                 driven = begun(i, time) * exponent.scaled(t).exponential()
                 for power, state in zip(powers, states[2:]):
@@ -250,8 +238,8 @@ class Train:
                 raise Refuted("limits.dynamic_contact_force_min_n is passed")
         # At rest, and while it rings: |e| <= amplitude, |e'| <= w amplitude.
         still = self.share * self.preload - wanted
-        amplitude = Over.number(Fraction(0), self.residual_after(curve, k)[1])
-        begin, end = (self.share * rest * constant(level * (self.problem.to_cam[0] if self.problem.to_cam else 1))
+        amplitude = Jet.number(Fraction(0), self.residual_after(curve, k)[1])
+        begin, end = (self.share * rest * (level * (self.problem.to_cam[0] if self.problem.to_cam else 1))
                       for level in self.problem.runs[k].ends())
         ringing = still + end - amplitude * (self.share + two * self.damping)
         if (still + begin).value[0] < 0 or ringing.value[0] < 0:

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Numbers of a scene with their units."""
+"""Numbers of a scene with their units.
 
-from .exact import PI, PI_ITSELF, Unverified, exactly, number, times
+Theorem. Lengths, forces, moments and pressures convert exactly. Degrees and radians convert with pi to 35 digits (`in_unit`, `ratio`), or are
+enclosed (`enclosed`).
+"""
+
+from .enclosures import PI, PI_ITSELF, Jet
+from .exact import Unverified, number
 from .rational import Fraction
 
 INCH, POUND, POUND_FORCE = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction("4.4482216152605")
@@ -56,17 +61,10 @@ def in_known_units(scene):
     return scene | tables
 
 
-def with_known_rule(table):
-    """Of a row in a certificate, whose rule is the key of a limit as the scene has it, perhaps after "axis: "."""
-    if isinstance(table.get("rule"), str):
-        axis, _, key = table["rule"].rpartition(": limits.")
-        if not axis and key.startswith("limits."):
-            axis, key = None, key.removeprefix("limits.")
-        written, space, more = key.partition(" ")
-        if axis != "" and written in KNOWN_KEYS["limits"]:
-            before = "limits." if axis is None else axis + ": limits."
-            table["rule"] = before + KNOWN_KEYS["limits"][written][0] + space + more
-    return table
+def known_limit(key):
+    """The key of a limit as the checker knows it, of one as the scene has it."""
+    name = key.removeprefix("limits.")
+    return "limits." + KNOWN_KEYS["limits"][name][0] if key != name and name in KNOWN_KEYS["limits"] else key
 
 
 def dimension_of(table, *names):
@@ -95,9 +93,9 @@ def angle_of(table, key, searched=False):
 
 
 def enclosed(angle):
-    """(low, high) around rad, of (number, "deg" or "rad"); a length is what it is."""
+    """rad, of (number, "deg" or "rad"); a length is what it is."""
     size, unit = angle
-    return times(exactly(size / 180), PI) if unit == "deg" else exactly(size)
+    return size / 180 * PI if unit == "deg" else Jet.number(size)
 
 
 def in_unit(angle, unit):

@@ -5,6 +5,8 @@ s = (valve lift + lash) / ratio of the follower, of one that swings / the valve'
 the law run_in over 2h/3v to h/3 and a constant velocity over 2h/3v; the flank goes from its end to the nose through s(checking height),
 t after the ramp's end, or as given, on the ramp where that is not below it. In t the jerk 60 L/D^3 up to the acceleration 4 L/D^2
 reaches that point, L the lift and D the angle from the point to the nose. Strokes are monotone.
+
+Theorem. `as_program` has the same motions as the scene of the valve: the definition in docs/valves.md, number by number.
 """
 
 from .exact import Unverified, number

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The verdict."""
+"""The verdict.
+
+Theorem. CONFIRMED: the delivered motion satisfies the conditions exactly and all limits to within KEPT, its objective is the stated one to within
+STATED, and no motion of the scene has an objective below the stated bound by more than a tenth of solver.gap; for "optimal" the gap is
+closed, for "infeasible" the scene has no motion. REFUTED: a claim is false or the files do not prove it. NOT VERIFIED: neither; what is
+missing is named.
+"""
 import json
 import sys
 import tomllib
@@ -12,16 +18,17 @@ from .cam import Cam
 from .cases import by_angles, by_direction, displacements_found, judge_cases, relaxed_by, searched_angles, with_angles
 from .conditions import Conditions
 from .drive import Drive, TERMS as MOTOR_TERMS, with_transmission_found
-from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
+from .exact import NOT_CONVEX, Refuted, STATED, Unverified, number, require_every_row
 from .known import name_what_is_unknown
 from .least import judge_least, without_keys
 from .machine import judge_machine
 from .measured import KINDS as DEVIATIONS
 from .motion import Curve
+from .origins import read_certificate
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
 from .problem import Problem
 from .rational import Fraction, parsed
-from .units import angle_of, in_known_units, in_unit, with_known_rule
+from .units import angle_of, in_known_units, in_unit
 from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
@@ -118,7 +125,7 @@ def judge_scene(folder, scene, report, vipr_path):
     name_what_is_unknown(scene)
     result = json.loads((folder / "result.json").read_text())
     scene = with_transmission_found(in_known_units(scene), result)
-    certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
+    certificate = read_certificate(folder / "certificate.json")
     verdict, proof = certificate["verdict"], certificate["proof"]
     report.say(f"claimed: {verdict}, objective {certificate['objective']}, bound {certificate['lower_bound']}")
     agree(certificate, result)
@@ -190,7 +197,8 @@ def require_empty(value, left_out):
     """No case has a motion."""
     if value is None:
         return []
-    raise Unverified("rows of " + ", ".join(sorted(left_out))) if left_out else Refuted("the cases do not prove that there is no motion")
+    require_every_row(left_out)
+    raise Refuted("the cases do not prove that there is no motion")
 
 
 def judge_infeasible(problem, proof, report, vipr_path, cases=None, make=None):
@@ -210,14 +218,11 @@ def judge_infeasible(problem, proof, report, vipr_path, cases=None, make=None):
         raise Refuted("the conditions do not contradict each other")
     if proof["variables"] == ["common violation"]:
         return judge_passed_limit(problem, proof, report)
-    bound = Bound(problem, None, Fraction(0))
-    for row in proof["rows"]:
-        bound.add_row(row)
+    bound = Bound(problem, None, Fraction(0)).add_rows(proof["rows"])
     value = bound.value(cost=False)
     report.say(f"Farkas: the multipliers give 0 >= {float(value):.9g}, rounding {float(bound.residual):.1e}")
     if value <= 0:
-        if bound.left_out:
-            raise Unverified("rows of " + ", ".join(sorted(bound.left_out)))
+        require_every_row(bound.left_out)
         if value + bound.residual > 0:
             raise Unverified(f"infeasibility by less than the rounding of the multipliers, {float(bound.residual):.1e}")
         raise Refuted("the multipliers do not prove that there is no motion")
@@ -330,25 +335,19 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     else:
         factor = factor_of(proof, problem)
         check_box(proof, result, problem, factor)
-        bound = Bound(with_free_displacements(problem, result), high, relaxed, curve)
-        for row in proof["rows"]:
-            bound.add_row(row, factor)
-        bound.add_root_mean_squares(curve)
-        bound.add_area()
-        value, left_out = bound.value(), bound.left_out
+        bound = Bound(with_free_displacements(problem, result), high, relaxed, curve).add_rows(proof["rows"], factor)
+        value, left_out = bound.least_objective(), bound.left_out
         rest = bound.residual
         report.say(f"bound: no motion of the scene is below {float(min(value, high)):.15g}, "
                    f"rounding {float(bound.residual):.1e}")
     short = number(bound_stated) - value
     if short > allowed / 10:
-        if left_out:
-            raise Unverified("rows of " + ", ".join(sorted(left_out)))
+        require_every_row(left_out)
         if short <= allowed or (verdict != "optimal" and short <= rest):  # less than what optimal means, or than what is left
             raise Unverified(f"the last digits of the bound {bound_stated}: {float(value):.15g} is proved")
         raise Refuted(f"the bound {bound_stated} is not proved: only {float(value):.15g} is")
     if verdict == "optimal" and high - value > allowed_gap:
-        if left_out:
-            raise Unverified("rows of " + ", ".join(sorted(left_out)))
+        require_every_row(left_out)
         raise Refuted(f"optimal is not proved: the gap is {float(high - value):.1e}, allowed {float(allowed_gap):.1e}")
     if certificate["proof_kind"] == "duality" and problem.runs and not problem.ranges:
         write_vipr(vipr_path, bound, problem, True, value)

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The bound in the format VIPR."""
+"""The bound in the format VIPR.
+
+Theorem. The file is a linear program over control points and peaks whose rows every motion satisfies, and one combination of its rows that proves
+the bound, or that there is no motion.
+"""
 
 from .exact import add_to
 from .rational import Fraction

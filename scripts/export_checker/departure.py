@@ -19,8 +19,7 @@ import math
 from certificate_checker.enclosures import ONE
 from certificate_checker.exact import Unverified
 
-from .jets import largest_magnitude, range_over
-from .refine import largest
+from .refine import largest, largest_magnitude, range_over
 
 AT_A_VERTEX = 1.25     # a bound within this factor of the distance of a vertex is named after it
 MOST_PARTS = 12000

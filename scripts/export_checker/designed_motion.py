@@ -7,7 +7,7 @@ own laws and dwells. x counts in the scene's unit angle, y in lifts.
 import bisect
 import collections
 
-from certificate_checker.enclosures import ONE, Over, added, interval, multiplied
+from certificate_checker.enclosures import ONE, Jet, added, interval, multiplied
 from certificate_checker.exact import STATED, Refuted, Unverified, derivative
 from certificate_checker.known import name_what_is_unknown
 from certificate_checker.laws import parts_along
@@ -158,5 +158,5 @@ def along_law(motion, start, length):
 
     def states(x):
         v = multiplied((x[0] - left[1], x[1] - left[0]), inverse)
-        return [own.value for own in motion(Over(v))]
+        return [own.value for own in motion(Jet(v))]
     return states

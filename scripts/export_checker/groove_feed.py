@@ -12,12 +12,12 @@ the cutter's axis is P + s up, with s from the tip upward. Two comparisons, as J
 """
 import math
 
-from certificate_checker.enclosures import ONE, added, fraction, interval, multiplied
+from certificate_checker.enclosures import ONE, ZERO, Jet, added, fraction, interval, multiplied
 from certificate_checker.exact import Unverified
 
 from certificate_checker.rational import Fraction
 from .clearance import ROUNDING
-from .jets import Jet, ZERO, largest_magnitude, range_over
+from .refine import largest_magnitude, range_over
 
 TIP_BEYOND = Fraction(1, 2)  # mm, as docs/nc.md says
 
@@ -68,7 +68,7 @@ class FeedPart:
     def cutter(self, t):
         """(P, up) in the fixed frame, up without its first component, which is 0."""
         def along(way):
-            return Jet(added(way[0], multiplied(way[1], t)), way[1], ZERO)
+            return Jet.along(added(way[0], multiplied(way[1], t)), way[1])
         x, y, z = (along(way) for way in self.feed.axes)
         if not self.feed.cam.tilts:
             return (y, z, x), None
@@ -77,7 +77,7 @@ class FeedPart:
 
     def roller(self, t):
         feed = self.feed
-        return feed.cam.roller(self.piece, self.turns, Jet(added(feed.x[0], multiplied(feed.x[1], t)), feed.x[1], ZERO))
+        return feed.cam.roller(self.piece, self.turns, Jet.along(added(feed.x[0], multiplied(feed.x[1], t)), feed.x[1]))
 
     def off_path(self, t, offset):
         cam, roller = self.feed.cam, self.roller(t)

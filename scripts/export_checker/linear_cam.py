@@ -11,14 +11,13 @@ the surface at displacement 0 and the roller radius r the roller's centre stands
 and moves in the plate with v = (c, 0) + its own velocity; the surface lies at the roller's radius from it across v, below. Lengths are
 in mm.
 """
-from certificate_checker.enclosures import ONE, interval
-from certificate_checker.exact import PI, Unverified, exactly, times
+from certificate_checker.enclosures import Jet, ONE, PI, interval
+from certificate_checker.exact import Unverified
 from certificate_checker.linear_rules import DIMENSIONS, sense_of
 from certificate_checker.rational import Fraction
 from certificate_checker.units import angle_of, enclosed
 
 from .designed_motion import DesignedMotion, exact_numbers
-from .jets import Jet
 from .plane_cam import MILLIMETRES, PlaneCam, is_sector, size_of
 
 
@@ -39,11 +38,11 @@ class LinearCam(PlaneCam):
         self.swings, self.sense = self.follower.startswith("oscillating"), sense_of(cam)
         self.set_units()
         self.roller = self.size.get("roller_radius", Fraction(0))
-        self.slide = interval(*times(exactly(self.size["travel"] / 2), (1 / PI[1], 1 / PI[0])))
+        self.slide = (self.size["travel"] * (2 * PI).inverse()).value
         height = self.size["base_height"] + self.roller
         if not self.swings:
             lean = angle_of(cam, "inclination") or (Fraction(0), "deg")
-            self.rest_sine, self.rest_cosine = Jet.number(*enclosed(lean)).sine_and_cosine()
+            self.rest_sine, self.rest_cosine = enclosed(lean).sine_and_cosine()
             self.height = Jet.number(height)
             return
         self.rest_sine = Jet.number((height - self.size["pivot_height"]) / self.size["arm_length"])
@@ -67,5 +66,5 @@ class LinearCam(PlaneCam):
 
     def turned_back(self, point, x):
         """The plate has slid by then."""
-        return point[0] + Jet(x, (ONE, ONE)).scaled(self.unit_angle).scaled(self.slide), point[1]
+        return point[0] + Jet.along(x, (ONE, ONE)).scaled(self.unit_angle).scaled(self.slide), point[1]
 

@@ -1,23 +1,21 @@
 # SPDX-License-Identifier: MIT
 """Remote and inverse cams as enclosures: the roller's centre through the linkage, the outline across its path.
 
-The linkages are those of certificate_checker: their formulas give a link's direction u with its angle's first two derivatives by the
-displacement s, as numbers with slopes by s. The slope of the second derivative is the third one, which u'' of an outline needs.
+The linkages are those of certificate_checker, whose formulas of the displacement s give a link's direction and the derivative of its
+angle by s: with s a function of the place they are too, to the second order.
 Lengths of linkages are in m, points in mm. Frames: plane_cam.py; the guide of an inverse cam lies in its body, the pivot at the
 origin, at displacement 0 as the scene's pin angle says.
 """
 
-from certificate_checker.enclosures import ONE, Over, added, interval, multiplied
+from certificate_checker.enclosures import Jet, halved, interval, multiplied
 from certificate_checker.exact import Unverified
 from certificate_checker.inverse_rules import InverseRules
-from certificate_checker.laws import constant
 from certificate_checker.plane_vectors import direction, minus, scaled, turned
 from certificate_checker.rational import Fraction
 from certificate_checker.remote_rules import RemoteRules
 from certificate_checker.units import LENGTHS, enclosed
 
 from .designed_motion import DesignedMotion, exact_numbers
-from .jets import Jet, ZERO, halved, negative, squared
 from .plane_cam import MILLIMETRES, PlaneCam, is_sector, size_of
 
 THOUSAND = interval(Fraction(MILLIMETRES))
@@ -35,23 +33,6 @@ def settled(table, design):
     return own
 
 
-def by_itself(s):
-    """The displacement as a number with its slope, for formulas of it."""
-    return Over(s.c[0], {0: (ONE, ONE)})
-
-
-def along_motion(s, way, rate, bend):
-    """(the unit vector `way`, the derivative `rate` of its angle by s) as Jets of the place; `bend`: the derivative of `rate`."""
-    x, y, first, second = way[0].value, way[1].value, rate.value, bend.value
-    turning = Jet(first, second, halved(bend.slopes.get(0, ZERO)))
-
-    def of(a, across):
-        """A component: a' = rate * across, a'' = bend * across - rate^2 * a."""
-        bent = added(multiplied(second, across), negative(multiplied(squared(first), a)))
-        return Jet(a, multiplied(first, across), halved(bent)).after(s)
-    return (of(x, negative(y)), of(y, x)), turning.after(s)
-
-
 class LinkedCam(PlaneCam):
     """What both kinds have in common; `rules`: the linkage."""
 
@@ -65,7 +46,7 @@ class LinkedCam(PlaneCam):
         self.roller = self.rules.sizes["roller_radius"] * MILLIMETRES
         self.swings = scene.get("linkage", {}).get("type") in ("lever", "lever_coupler_lever")
         self.set_units()
-        self.lift = interval(*enclosed(self.motion.problem.lift))
+        self.lift = enclosed(self.motion.problem.lift).value
 
 
 class RemoteCam(LinkedCam):
@@ -74,11 +55,11 @@ class RemoteCam(LinkedCam):
         self.sense = -1 if scene["cam"].get("rotation") == "clockwise" else 1
         rules = self.rules
         self.arm = interval(rules.sizes["roller_arm"] * MILLIMETRES)
-        pivot = scaled(constant(MILLIMETRES), minus(rules.place("lever_pivot"), rules.place("center")))
+        pivot = scaled(MILLIMETRES, minus(rules.place("lever_pivot"), rules.place("center")))
         self.pivot = [Jet(z.value) for z in pivot]
 
     def in_fixed_frame(self, s, speed):
-        way, rate = along_motion(s, *self.rules.roller_arm(by_itself(s)))
+        way, rate, _ = self.rules.roller_arm(s)
         x, y = (z.scaled(self.arm) for z in way)
         turning = rate * speed
         return self.roller_at((self.pivot[0] + x, self.pivot[1] + y), (-(y * turning), x * turning))
@@ -97,10 +78,8 @@ class InverseCam(LinkedCam):
     def at(self, piece, lo, hi, offset=Fraction(0)):
         """The roller at (L, 0) in the fixed frame, in the body that has turned by theta at L (cos theta, -sin theta)."""
         s, speed = self.moved(piece, (lo, hi))
-        own = by_itself(s)
-        ratio, _, still = self.rules.body(own, constant(1))  # by s itself: s' = 1, s'' = 0
-        way = scaled(self.by_length, turned(self.rules.pin(own)[0], self.to_body))
-        (cosine, sine), rate = along_motion(s, way, ratio, still)
+        cosine, sine = scaled(self.by_length, turned(self.rules.pin(s)[0], self.to_body))
+        rate = self.rules.body(s, speed)[0]
         distance, along = self.roller_along((lo, hi))
         across = distance * rate * speed
         vx, vy = along * cosine - across * sine, -(along * sine) - across * cosine
@@ -112,7 +91,7 @@ class InverseCam(LinkedCam):
 
     def roller_along(self, x):
         """L and its derivative by the cam angle."""
-        distance, speed, forth = (multiplied(own.value, THOUSAND) for own in self.rules.roller(Over(x)))
+        distance, speed, forth = (multiplied(own.value, THOUSAND) for own in self.rules.roller(Jet(x)))
         beta = self.unit_angle
-        return Jet(distance, multiplied(speed, beta), halved(multiplied(multiplied(forth, beta), beta))), \
-            Jet(speed, multiplied(forth, beta))
+        return Jet.along(distance, multiplied(speed, beta), halved(multiplied(multiplied(forth, beta), beta))), \
+            Jet.along(speed, multiplied(forth, beta))

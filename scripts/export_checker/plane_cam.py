@@ -15,13 +15,12 @@ touches at the foot of the normal through the instantaneous centre of its motion
 """
 
 from certificate_checker.cam import DIMENSIONS
-from certificate_checker.enclosures import ONE, interval
+from certificate_checker.enclosures import ONE, ZERO, Jet, halved, interval
 from certificate_checker.exact import STATED, Refuted, Unverified, number
 from certificate_checker.rational import Fraction
 from certificate_checker.units import angle_of, dimension_of, enclosed
 
 from .designed_motion import DesignedMotion, exact_numbers
-from .jets import Jet, ZERO, halved
 
 MILLIMETRES = 1000
 WITH_ROLLER = ("translating_roller", "oscillating_roller")
@@ -80,10 +79,9 @@ class PlaneCam:
         problem = self.motion.problem
         if (problem.lift[1] == "m") == self.swings:
             raise Unverified("a lift whose unit does not fit the follower")
-        lift = enclosed(problem.lift)
-        self.lift = interval(*(lift if self.swings else tuple(end * MILLIMETRES for end in lift)))
-        low, high = enclosed(problem.unit_angle)
-        self.unit_angle, self.by_angle = interval(low, high), interval(1 / high, 1 / low)
+        lift, angle = enclosed(problem.lift), enclosed(problem.unit_angle)
+        self.lift = (lift if self.swings else lift * MILLIMETRES).value
+        self.unit_angle, self.by_angle = angle.value, angle.inverse().value
 
     # -- the follower at displacement 0
 
@@ -113,7 +111,7 @@ class PlaneCam:
         if not self.swings:
             self.height = self.height - Jet.number(dimension_of(cam, "roller_distance") * MILLIMETRES)
             return
-        more, less = Jet.number(*enclosed(angle_of(cam, "arm_angle"))).sine_and_cosine()
+        more, less = enclosed(angle_of(cam, "arm_angle")).sine_and_cosine()
         sine, cosine = self.rest_sine, self.rest_cosine
         self.rest_sine, self.rest_cosine = more * cosine - less * sine, less * cosine + more * sine
 
@@ -131,12 +129,12 @@ class PlaneCam:
     def moved(self, piece, x):
         """The displacement and its derivative by the cam angle."""
         y = piece.states(x)
-        return Jet(y[0], y[1], halved(y[2])).scaled(self.lift), \
-            Jet(y[1], y[2], halved(y[3])).scaled(self.lift).scaled(self.by_angle)
+        return Jet.along(y[0], y[1], halved(y[2])).scaled(self.lift), \
+            Jet.along(y[1], y[2], halved(y[3])).scaled(self.lift).scaled(self.by_angle)
 
     def turned_back(self, point, x):
         """The fixed point where it lies on the cam."""
-        angle = Jet(x, (ONE, ONE)).scaled(self.unit_angle)
+        angle = Jet.along(x, (ONE, ONE)).scaled(self.unit_angle)
         sine, cosine = angle.sine_and_cosine()
         if self.sense < 0:
             sine = -sine

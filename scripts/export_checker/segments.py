@@ -10,11 +10,10 @@ line |D| = |F|. X projects onto the segment itself where T_A (X - A) >= 0 and T_
 """
 import math
 
-from certificate_checker.enclosures import ONE, Over, interval, inverted, multiplied, rooted
+from certificate_checker.enclosures import ONE, ZERO, Jet, interval, inverted, multiplied, negative, rooted
 from certificate_checker.exact import Refuted, root
 
 from certificate_checker.rational import Fraction
-from .jets import Jet, ZERO, negative
 
 MOST_BULGE = Fraction(9, 10)  # tan(angle / 4): below half a circle
 ALMOST_HALF = Fraction(1, 100)
@@ -65,8 +64,8 @@ def direction(start, end):
 
 def turned(vector, sine, cosine):
     """Counterclockwise."""
-    x, y = Over(vector[0]), Over(vector[1])
-    s, c = Over(interval(sine)), Over(interval(cosine))
+    x, y = Jet(vector[0]), Jet(vector[1])
+    s, c = Jet(interval(sine)), Jet(interval(cosine))
     return (x * c - y * s).value, (x * s + y * c).value
 
 

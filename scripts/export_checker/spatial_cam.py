@@ -19,12 +19,11 @@ in the fixed frame up from P, in the direction up, and a lies across it:
 
 A roller's axis is such a line as well, with t = -q of a rotating follower and 0 of the others: up = -e.
 """
-from certificate_checker.enclosures import ONE, added, interval, multiplied
+from certificate_checker.enclosures import ONE, ZERO, Jet, added, halved, interval, multiplied, negative
 from certificate_checker.exact import Unverified
 from certificate_checker.units import RADIAN, angle_of, enclosed, in_unit
 
 from .designed_motion import ENOUGH_FOR_A_JOINT, DesignedMotion, exact_numbers, on_grid
-from .jets import Jet, ZERO, halved, negative
 from .plane_cam import MILLIMETRES, size_of
 
 SAME_PLACE = ENOUGH_FOR_A_JOINT  # 2^-60 of a lift: the groove closes
@@ -66,12 +65,11 @@ class SpatialCam:
             size_of(cam, name, design) * MILLIMETRES
             for name in ("roller_radius", "roller_length", "lateral_offset", "axial_offset", "center_distance", "arm_length"))
         self.radius += size_of(cam, "groove_clearance", design) * MILLIMETRES / 2  # half the width of the groove
-        low, high = enclosed(problem.lift)
-        self.lift = interval(low, high) if self.swings else interval(low * MILLIMETRES, high * MILLIMETRES)
+        lift = enclosed(problem.lift)
+        self.lift = (lift if self.swings else lift * MILLIMETRES).value
         given = angle_of(cam, "start_angle") if self.swings else None
-        self.start = interval(*enclosed(given)) if given else halved(negative(self.lift)) if self.swings else ZERO
-        low, high = enclosed(problem.unit_angle)
-        self.by_angle = interval(1 / high, 1 / low)
+        self.start = enclosed(given).value if given else halved(negative(self.lift)) if self.swings else ZERO
+        self.by_angle = enclosed(problem.unit_angle).inverse().value
 
     def place(self, rotary):
         """x as a fraction, of an angle of the table in degrees."""
@@ -102,8 +100,8 @@ class SpatialCam:
         y = piece.states((x.c[0][0] - by, x.c[0][1] - by))
         raised = (turns * self.motion.pitch[0], turns * self.motion.pitch[1]) if turns >= 0 else \
             (turns * self.motion.pitch[1], turns * self.motion.pitch[0])
-        q = (Jet(added(y[0], raised), y[1], halved(y[2])).scaled(self.lift) + Jet(self.start)).after(x)
-        speed = Jet(y[1], y[2], halved(y[3])).scaled(multiplied(self.lift, self.by_angle)).after(x)
+        q = (Jet.along(added(y[0], raised), y[1], halved(y[2])).scaled(self.lift) + Jet(self.start)).after(x)
+        speed = Jet.along(y[1], y[2], halved(y[3])).scaled(multiplied(self.lift, self.by_angle)).after(x)
         return (q, *q.sine_and_cosine(), speed) if self.swings else (q, NO_SINE, ONE_COSINE, speed)
 
     def axis(self, roller, height):

@@ -104,13 +104,23 @@ struct DualityProof {
 /// The name of a row of a proof, for users.
 [[nodiscard]] std::string row_name(const DualityProof& proof, std::size_t row);
 
-/// One of the cases that cover the whole: `region` identifies it, `bound` holds in it. `infeasible`: no
-/// feasible point there, and the proof's bound is above 0.
+/// What a case says of one segment, for programs: the direction of its stroke, or a range of its angle.
+struct CasePart {
+    int segment = 0;
+    std::optional<bool> rises = {};  ///< or rests; false: falls or rests
+    std::optional<std::array<double, 2>> angle_deg = {};
+
+    friend bool operator==(const CasePart&, const CasePart&) = default;
+};
+
+/// One of the cases that cover the whole: `region` identifies it in words, `parts` in fields; `bound` holds
+/// in it. `infeasible`: no feasible point there, and the proof's bound is above 0.
 struct CaseProof {
     std::vector<std::string> region;
     double bound = 0.0;
     bool infeasible = false;
     std::shared_ptr<const DualityProof> proof = {};  ///< of a part of the rows: cases may share one
+    std::vector<CasePart> parts = {};
 };
 
 /// The bound of a stored proof, recomputed from its numbers and rounded outward (long double, less an error

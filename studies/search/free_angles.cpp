@@ -282,6 +282,11 @@ class AngleSearch {
                            segment_key(searched_[k]), box.most[k] / units::degree);
     }
 
+    [[nodiscard]] CasePart part_of(const AngleBox& box, std::size_t k) const {
+        return {.segment = static_cast<int>(searched_[k]),
+                .angle_deg = {{box.least[k] / units::degree, box.most[k] / units::degree}}};
+    }
+
     /// What is proved of the boxes, which together hold everything.
     void take_proofs(Solution& solution) const {
         Certificate& certificate = solution.certificate;
@@ -296,7 +301,10 @@ class AngleSearch {
         if (!solution.motion) certificate.objective = infinity;
         std::vector<CaseProof> cases(boxes_.begin(), boxes_.end());
         for (std::size_t i = 0; i < cases.size(); ++i)
-            for (std::size_t k = 0; k < searched_.size(); ++k) cases[i].region.push_back(words(boxes_[i], k));
+            for (std::size_t k = 0; k < searched_.size(); ++k) {
+                cases[i].region.push_back(words(boxes_[i], k));
+                cases[i].parts.push_back(part_of(boxes_[i], k));
+            }
         const bool nothing = take_cases(certificate, std::move(cases)) && !solution.motion;
         if (nothing) certificate.verdict = Verdict::infeasible;
         if (nothing || boxes_.size() == 1) certificate.proof = *boxes_.front().proof;

@@ -74,7 +74,7 @@ class DirectionSearch {
 
     [[nodiscard]] Case solved(std::vector<StrokeDirection> directions, const Case* whole) {
         Case part;
-        part.region = region_of(directions);
+        describe(part, directions);
         part.directions = directions;
         part.bound = least_objective(scene_.objective);
         const double apart = contradicting_directions(scene_.motion, directions);
@@ -131,13 +131,14 @@ class DirectionSearch {
         return parts;
     }
 
-    [[nodiscard]] std::vector<std::string> region_of(const std::vector<StrokeDirection>& directions) const {
-        std::vector<std::string> region;
-        for (std::size_t k = 0; k < free_.size(); ++k)
-            if (directions[k] != StrokeDirection::open)
-                region.push_back(fmt::format("{} {} or rests", strokes_[free_[k]].member,
-                                             directions[k] == StrokeDirection::rises ? "rises" : "falls"));
-        return region;
+    void describe(CaseProof& part, const std::vector<StrokeDirection>& directions) const {
+        for (std::size_t k = 0; k < free_.size(); ++k) {
+            if (directions[k] == StrokeDirection::open) continue;
+            const StrokeRange& stroke = strokes_[free_[k]];
+            const bool rises = directions[k] == StrokeDirection::rises;
+            part.region.push_back(fmt::format("{} {} or rests", stroke.member, rises ? "rises" : "falls"));
+            part.parts.push_back({.segment = stroke.stretch, .rises = rises});
+        }
     }
 
     [[nodiscard]] Solution delivered() const {

@@ -339,11 +339,12 @@ class ExportOfPlaneCams(unittest.TestCase):
     def test_other_linkages(self):
         """Another linkage; an outline that is missing, closed or on the other side."""
         scene, result, drawing = self.linked["guide"]
-        first, second, pitch = (part.start() for part in re.finditer("LWPOLYLINE", drawing))
-        for spoiled in (drawing[:first] + drawing[second:], drawing.replace("\n 70\n0\n", "\n 70\n1\n")):
+        first, pitch, second = (part.start() for part in re.finditer("LWPOLYLINE", drawing))  # the pitch curve between the walls
+        end = drawing.index("\n  0\n", second) + len("\n  0\n")
+        for spoiled in (drawing[:first] + drawing[pitch:], drawing.replace("\n 70\n0\n", "\n 70\n1\n")):
             with self.subTest(len(spoiled)), self.assertRaises(self.refusals):
                 self.dxf.verify(spoiled, scene, result)
-        swapped = drawing[:first] + drawing[second:pitch] + drawing[first:second] + drawing[pitch:]
+        swapped = drawing[:first] + drawing[second:end] + drawing[pitch:second] + drawing[first:pitch] + drawing[end:]
         self.assertGreater(self.dxf.verify(swapped, scene, result).bounds["profile_mm"], 20)
         for name, table, key in (("guide", "cam", "feeder_offset_in"), ("tappet_rise", "linkage", "coupler_mm")):
             scene, result, drawing = self.linked[name]

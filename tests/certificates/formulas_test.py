@@ -102,7 +102,7 @@ def barrel():
     scene, faults = scene_of("barrel_paper_cup"), []
     other = scene | {"cam": scene["cam"] | {"start_angle_deg": Fraction(-20)}}
     started = SpatialRules(problem_of(scene, (scene["motion"]["lift_deg"], "deg"), 160), other).start
-    faults += near("start angle", float(started[0]), math.radians(-20), 1e-12)
+    faults += near("start angle", value(started), math.radians(-20), 1e-12)
     rules = SpatialRules(problem_of(scene, (scene["motion"]["lift_deg"], "deg"), 160), scene)
     for state in ([0.2, 1.5, 4.0], [0.7, 1.1, -5.0], [0.5, 1.7, 0.0]):
         for flank in (1, -1):

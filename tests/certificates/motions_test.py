@@ -51,7 +51,7 @@ def other_reference(scene, certificate, result):
 
 def row_elsewhere(scene, certificate, result):
     """The heaviest row of a corridor is moved beyond its end."""
-    rows = [r for r in certificate["proof"]["rows"] if r["origin"]["rule"].startswith("motion.corridor")]
+    rows = [r for r in certificate["proof"]["rows"] if r["origin"].get("key", "").startswith("motion.corridor")]
     max(rows, key=lambda r: abs(r["multiplier"]))["origin"]["at"] = 0.95
     return scene
 
@@ -93,8 +93,8 @@ def lighter_row(scene, certificate, result):
 
 
 def other_direction(scene, certificate, result):
-    region = certificate["cases"][0]["region"]
-    region[0] = region[0].replace("falls", "rises") if "falls" in region[0] else region[0].replace("rises", "falls")
+    part = certificate["cases"][0]["parts"][0]
+    part["rises"] = not part["rises"]
     return scene
 
 
@@ -107,7 +107,7 @@ def case_removed(scene, certificate, result):
 
 def wider_region(scene, certificate, result):
     """A case is said to hold for any direction of its first stroke, whose rows then are none of the scene's."""
-    next(case for case in certificate["cases"] if len(case["region"]) > 1)["region"].pop(0)
+    next(case for case in certificate["cases"] if len(case["parts"]) > 1)["parts"].pop(0)
     return scene
 
 
@@ -121,9 +121,7 @@ def raised_bound(scene, certificate, result):
 
 def smaller_box(scene, certificate, result):
     """A box of angles ends earlier than it was proved to."""
-    region = certificate["cases"][-1]["region"]
-    least, _, most = region[0].partition("<= angle")
-    region[0] = least + "<= angle" + most.rsplit("<= ", 1)[0] + f"<= {float(most.rsplit('<= ', 1)[1].split()[0]) - 0.01} deg"
+    certificate["cases"][-1]["parts"][0]["angle_deg"][1] -= 0.01
     return scene
 
 
@@ -136,10 +134,9 @@ def claimed_empty(scene, certificate, result):
 
 def other_row(scene, certificate, result):
     """The heaviest row of the table is said to be the one after it."""
-    rows = [r for r in certificate["proof"]["rows"] if r["origin"]["rule"] == "deviation"]
+    rows = [r for r in certificate["proof"]["rows"] if r["origin"].get("key") == "deviation"]
     origin = max(rows, key=lambda r: r["multiplier"])["origin"]
-    number, sign = origin["remark"].split()[1:]
-    origin["remark"] = f"row {int(number) % 10 + 1} {sign}"
+    origin["which"]["row"] = (origin["which"]["row"] + 1) % 10
     return scene
 
 

@@ -104,8 +104,6 @@ class Spoiled:
         if row is None or row["origin"].get("sign") not in (-1, 1) or self.certificate["verdict"] == "infeasible":
             return False
         row["origin"]["sign"] = -row["origin"]["sign"]
-        if row["origin"]["rule"][0] in "+-":
-            row["origin"]["rule"] = {"+": "-", "-": "+"}[row["origin"]["rule"][0]] + row["origin"]["rule"][1:]
         return True
 
     def coefficient(self):
@@ -247,7 +245,7 @@ class SpoiledBoxes:
     def place(self):
         """Elsewhere; a cubic's jerk is the same along a segment."""
         step = self.step("plane", "linear")
-        if step["origin"].get("at", 0) < 0.05 or len(step["indices"]) < 2 or "jerk" in step["origin"]["rule"]:
+        if step["origin"].get("at", 0) < 0.05 or len(step["indices"]) < 2 or "jerk" in step["origin"]["key"]:
             return False
         step["origin"]["at"] *= self.random.uniform(0.9, 0.98)
         return True
@@ -261,11 +259,9 @@ class SpoiledBoxes:
         """A plane of another rule, or a row of the other side."""
         step = self.step("plane", "linear")
         origin = step["origin"]
-        if origin["rule"][0] not in "+-" or len(step["indices"]) < 2:
+        if origin["limit"] or not origin.get("sign") or len(step["indices"]) < 2:
             return False
-        origin["rule"] = {"+": "-", "-": "+"}[origin["rule"][0]] + origin["rule"][1:]
-        if "sign" in origin:
-            origin["sign"] = -origin["sign"]
+        origin["sign"] = -origin["sign"]
         return True
 
     def split(self):

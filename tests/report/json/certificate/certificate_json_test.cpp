@@ -57,14 +57,19 @@ std::string written_again(const Certificate& certificate) {
 TEST(CertificateJson, SharedProofsRoundTrip) {
     Certificate certificate = test::sample_solution().certificate;
     const auto proof = std::make_shared<const DualityProof>(*certificate.proof);
-    certificate.cases = {{{"a rises"}, 1.5, false, proof},
-                         {{"a falls", "b rests"}, infinity, true, proof},
+    certificate.cases = {{{"a rises"}, 1.5, false, proof, {{.segment = 2, .rises = true}}},
+                         {{"a falls", "b rests"},
+                          infinity,
+                          true,
+                          proof,
+                          {{.segment = 0, .angle_deg = {{12.5, 90.0}}}, {.segment = 2, .rises = false}}},
                          {{}, -infinity, false, nullptr}};
     EXPECT_EQ(written_again(certificate), certificate_json(certificate));
     const Certificate read = certificate_of_text(certificate_json(certificate), "c");
     ASSERT_EQ(read.cases.size(), 3U);
     EXPECT_EQ(read.cases[0].proof, read.cases[1].proof);
     EXPECT_EQ(read.cases[1].region, certificate.cases[1].region);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(read.cases[i].parts, certificate.cases[i].parts);
     EXPECT_FALSE(read.cases[2].proof);
 }
 
@@ -82,6 +87,8 @@ TEST(CertificateJson, EveryKindOfStepRoundTrips) {
         step.side = 0.7;
     }
     proof.steps[0].origin = {"limits.jerk", "left side", 0.25, Side::left, true, 3, -1};
+    proof.steps[0].origin.fields = {
+        "axis 1", "limits.jerk", "undercut", {{"station", 4.0}}, {{"s'", -0.25}, {"base_radius", 1.0}}};
     proof.steps[2].origin = {"limits.pressure_angle_deg", "", {}, Side::right, true};
     proof.steps[2].box = {{-1.0, 2.0}, {-infinity, infinity}};
     proof.steps[2].ends = {{0, 1}, {-1, -1}};
@@ -123,6 +130,19 @@ TEST(CertificateJson, AnOpenSideIsNull) {
     EXPECT_TRUE(json["proof"]["box"]["upper"][1].is_null());
     EXPECT_EQ(json["verdict"], "optimal");
     EXPECT_EQ(json["how_to_check"], how_to_check());
+}
+
+TEST(CertificateJson, RowsHaveFieldsBesideTheirWords) {
+    Certificate certificate = test::sample_solution().certificate;
+    certificate.proof->origins[0].fields = {"feed", "limits.torque_max_nm", "", {{"load_speed", 2.0}}, {}};
+    const auto json = nlohmann::json::parse(certificate_json(certificate));
+    EXPECT_EQ(json["format"], 2);
+    const auto& origin = json["proof"]["rows"][0]["origin"];
+    EXPECT_EQ(origin["axis"], "feed");
+    EXPECT_EQ(origin["key"], "limits.torque_max_nm");
+    EXPECT_EQ(origin["which"]["load_speed"], 2.0);
+    EXPECT_FALSE(origin.contains("part"));
+    EXPECT_FALSE(origin.contains("made"));
 }
 
 TEST(CertificateJson, RefusesWhatIsNoProof) {
