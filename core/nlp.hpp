@@ -20,13 +20,13 @@ namespace camopt {
 // What identifies a row among those of its rule, for programs: what `RowOrigin::rule` and `remark` say in
 // words.
 struct RowFields {
-    std::string axis;  ///< of a machine: whose rule it is; empty: of no axis
-    std::string key;   ///< of the limit in the scene; of a term its own: "velocity" of a peak
-    std::string part;  ///< what the limit needs beside itself: "undercut", "contact_height", "face_turn"
+    std::string axis = {};  ///< of a machine: whose rule it is; empty: of no axis
+    std::string key = {};   ///< of the limit in the scene; of a term its own: "velocity" of a peak
+    std::string part = {};  ///< what the limit needs beside itself: "undercut", "contact_height", "face_turn"
     /// Numbers of the row: "station", "harmonic", "speed_rpm" … (docs/results.md).
-    std::map<std::string, double> which;
+    std::map<std::string, double> which = {};
     /// Of a made cam: parts of the tolerances, from −1 to 1, by their names; of the motion "s", "s'", "s''".
-    std::map<std::string, double> made;
+    std::map<std::string, double> made = {};
 
     friend bool operator==(const RowFields&, const RowFields&) = default;
 };

@@ -101,12 +101,6 @@ void take_rows(DualityProof& proof, const std::vector<ProofRow>& rows, const Jso
     proof.matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
-void fields(const JsonFields& json, CasePart& part) {
-    json.count("segment", part.segment);
-    json.unless("rises", part.rises, std::nullopt);
-    json.unless("angle_deg", part.angle_deg, std::nullopt);
-}
-
 /// A case as the file has it: a proof that several share is in the first of them, and the others name it.
 struct ProofCase {
     CaseProof part;
@@ -185,6 +179,12 @@ void take_box(BoxStep& step, const Box& box, const JsonFields& json) {
 static void fields(const JsonFields& json, Box& box, std::optional<std::size_t> variables = {}) {
     json.numbers("lower", box.lower, variables, -infinity);
     json.numbers("upper", box.upper, variables, infinity);
+}
+
+static void fields(const JsonFields& json, CasePart& part) {
+    json.count("segment", part.segment);
+    json.unless("rises", part.rises, std::nullopt);
+    json.unless("angle_deg", part.angle_deg, std::nullopt);
 }
 
 /// What is left out is as in a new RowOrigin: no remark, the side above x, one side. `rule` and `remark` are

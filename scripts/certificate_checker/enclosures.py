@@ -143,18 +143,14 @@ def halved(a):
     return a[0] >> 1, -(-a[1] >> 1)
 
 
-def summed(derivatives, others):
-    """By variable; neither is changed."""
-    if not derivatives or not others:
-        return derivatives or others
-    found = dict(derivatives)
-    for i, own in others.items():
+def add_derivatives(found, more):
+    """By variable."""
+    for i, own in more.items():
         found[i] = added(found[i], own) if i in found else own
-    return found
 
 
 def times(derivatives, factor):
-    return {i: multiplied(own, factor) for i, own in derivatives.items()} if derivatives else derivatives
+    return {i: multiplied(own, factor) for i, own in derivatives.items()}
 
 
 class Jet:
@@ -185,7 +181,12 @@ class Jet:
     def __add__(self, other):
         if other.__class__ is not Jet:
             return Jet(added(self.value, interval(other)), self.slopes, self.bends)
-        return Jet(added(self.value, other.value), summed(self.slopes, other.slopes), summed(self.bends, other.bends))
+        if not other.slopes:
+            return Jet(added(self.value, other.value), self.slopes, self.bends)
+        slopes, bends = dict(self.slopes), dict(self.bends)
+        add_derivatives(slopes, other.slopes)
+        add_derivatives(bends, other.bends)
+        return Jet(added(self.value, other.value), slopes, bends)
 
     __radd__ = __add__
 
@@ -201,25 +202,32 @@ class Jet:
 
     def __mul__(self, other):
         if other.__class__ is not Jet:
-            other = Jet(interval(other))
-        a, b = self.value, other.value
-        bends = summed(times(self.bends, b), times(other.bends, a)) if self.bends or other.bends else NONE
-        for i in bends:
-            if i in self.slopes and i in other.slopes:
-                bends[i] = added(bends[i], multiplied(self.slopes[i], other.slopes[i]))
-        return Jet(multiplied(a, b), summed(times(self.slopes, b), times(other.slopes, a)), bends)
+            return self.scaled(interval(other))
+        if not other.slopes:
+            return self.scaled(other.value)
+        if not self.slopes:
+            return other.scaled(self.value)
+        a, b, bends = self.value, other.value, NONE
+        slopes = times(self.slopes, b)
+        add_derivatives(slopes, times(other.slopes, a))
+        if self.bends or other.bends:
+            bends = times(self.bends, b)
+            add_derivatives(bends, times(other.bends, a))
+            add_derivatives(bends, {i: multiplied(self.slopes[i], other.slopes[i]) for i in bends if i in self.slopes and i in other.slopes})
+        return Jet(multiplied(a, b), slopes, bends)
 
     __rmul__ = __mul__
 
     def scaled(self, factor):
         """Times a constant that is enclosed."""
-        return self * Jet(factor)
+        return Jet(multiplied(self.value, factor), times(self.slopes, factor) if self.slopes else NONE,
+                   times(self.bends, factor) if self.bends else NONE)
 
     def through(self, value, slope, bend=None):
         """A function of this, which has such values, such a slope and half such a second derivative."""
         bends = {i: added(multiplied(slope, own), multiplied(bend, squared(self.slopes[i]))) for i, own in self.bends.items()} \
             if self.bends else NONE
-        return Jet(value, times(self.slopes, slope), bends)
+        return Jet(value, times(self.slopes, slope) if self.slopes else NONE, bends)
 
     def after(self, inner):
         """This function, of one variable, of what another one gives."""

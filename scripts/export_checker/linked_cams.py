@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Remote and inverse cams as enclosures: the roller's centre through the linkage, the outline across its path.
 
-The linkages are those of certificate_checker, whose formulas of the displacement s give a link's direction and the derivative of its
-angle by s: with s a function of the place they are too, to the second order.
+The linkages are those of certificate_checker: their formulas give a link's direction u with its angle's first two derivatives by the
+displacement s, as numbers with slopes by s. The slope of the second derivative is the third one, which u'' of an outline needs.
 Lengths of linkages are in m, points in mm. Frames: plane_cam.py; the guide of an inverse cam lies in its body, the pivot at the
 origin, at displacement 0 as the scene's pin angle says.
 """
 
-from certificate_checker.enclosures import Jet, halved, interval, multiplied
+from certificate_checker.enclosures import ONE, ZERO, Jet, added, halved, interval, multiplied, negative, squared
 from certificate_checker.exact import Unverified
 from certificate_checker.inverse_rules import InverseRules
 from certificate_checker.plane_vectors import direction, minus, scaled, turned
@@ -31,6 +31,23 @@ def settled(table, design):
         else:
             own[key] = value
     return own
+
+
+def by_itself(s):
+    """The displacement as a number with its slope, for formulas of it."""
+    return Jet(s.value, {0: (ONE, ONE)})
+
+
+def along_motion(s, way, rate, bend):
+    """(the unit vector `way`, the derivative `rate` of its angle by s) of the place; `bend`: the derivative of `rate`. Faster than the same
+    by jets of the second order through the whole linkage."""
+    x, y, first, second = way[0].value, way[1].value, rate.value, bend.value
+
+    def of(a, across):
+        """A component: a' = rate * across, a'' = bend * across - rate^2 * a."""
+        bent = added(multiplied(second, across), negative(multiplied(squared(first), a)))
+        return Jet.along(a, multiplied(first, across), halved(bent)).after(s)
+    return (of(x, negative(y)), of(y, x)), Jet.along(first, second, halved(bend.slopes.get(0, ZERO))).after(s)
 
 
 class LinkedCam(PlaneCam):
@@ -59,7 +76,7 @@ class RemoteCam(LinkedCam):
         self.pivot = [Jet(z.value) for z in pivot]
 
     def in_fixed_frame(self, s, speed):
-        way, rate, _ = self.rules.roller_arm(s)
+        way, rate = along_motion(s, *self.rules.roller_arm(by_itself(s)))
         x, y = (z.scaled(self.arm) for z in way)
         turning = rate * speed
         return self.roller_at((self.pivot[0] + x, self.pivot[1] + y), (-(y * turning), x * turning))
@@ -78,8 +95,9 @@ class InverseCam(LinkedCam):
     def at(self, piece, lo, hi, offset=Fraction(0)):
         """The roller at (L, 0) in the fixed frame, in the body that has turned by theta at L (cos theta, -sin theta)."""
         s, speed = self.moved(piece, (lo, hi))
-        cosine, sine = scaled(self.by_length, turned(self.rules.pin(s)[0], self.to_body))
-        rate = self.rules.body(s, speed)[0]
+        own = by_itself(s)
+        ratio, _, still = self.rules.body(own, Jet.number(1))  # by s itself: s' = 1, s'' = 0
+        (cosine, sine), rate = along_motion(s, scaled(self.by_length, turned(self.rules.pin(own)[0], self.to_body)), ratio, still)
         distance, along = self.roller_along((lo, hi))
         across = distance * rate * speed
         vx, vy = along * cosine - across * sine, -(along * sine) - across * cosine
