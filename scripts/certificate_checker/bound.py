@@ -358,9 +358,9 @@ class Bound:
 
     def tangent_at(self, t, motion, size):
         """Of a root mean square, at a motion ({control point: number} of each run) whose own is `size`."""
-        functions = [{j: w / size / self.problem.terms[t].reference for j, w in own.items()} for own in self.products(t, motion)]
-        return Row(f"tangent of the root mean square of derivative {self.problem.terms[t].order}", 0, functions[0], Fraction(0), t,
-                   beside=dict(enumerate(functions[1:], 1)))
+        term = self.problem.terms[t]
+        return Row.over_runs(f"tangent of the root mean square of derivative {term.order}", self.products(t, motion), 0, size * term.reference,
+                             Fraction(0), t)
 
     def products(self, t, motion):
         """The mean of the product of the derivatives of `motion` and of any other, a function of the other."""

@@ -29,7 +29,9 @@ def corners_of(ends):
 
 
 class FollowerMotion:
-    """s, s', s'' in m or rad by the cam angle in rad, of y, y', y''."""
+    """s, s', s'' in m or rad by the cam angle in rad, of y, y', y''. What the rules of all kinds of cams have."""
+
+    moves = False  # whether they depend on the place in the motion too
 
     def __init__(self, problem):
         lift, by_angle = enclosed(problem.lift), enclosed(problem.unit_angle).inverse()
@@ -37,6 +39,14 @@ class FollowerMotion:
 
     def states(self, numbers):
         return [y * unit for y, unit in zip(numbers, self.units_of_motion)]
+
+    def displacements(self):
+        """(least, most) of y that the limits alone allow; None: unknown."""
+        return None
+
+    def pressures(self, limit, sign):
+        """The rules of the pressure angle at rest, with another limit."""
+        return []
 
 
 class Dimensions(FollowerMotion):

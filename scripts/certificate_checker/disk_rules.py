@@ -65,10 +65,6 @@ class DiskRules(FollowerMotion):
             self.loaded = Forces(problem, problem.scene)
             self.load = constant(Forces(problem, scene).points[0][1])
 
-    @staticmethod
-    def displacements():
-        """What the limits alone say of the displacement: nothing is made of it here."""
-
     # -- the motion and the cam
 
     def states(self, numbers):
@@ -323,10 +319,12 @@ class TwoSides:
     the pressure angle is that of the first alone."""
 
     searched = ()
-    displacements = staticmethod(DiskRules.displacements)
 
     def __init__(self, first, second):
         self.first, self.sides = first, (first, second)
+
+    def displacements(self):
+        return None
 
     def bear(self, load):
         for side in self.sides:

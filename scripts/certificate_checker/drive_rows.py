@@ -54,7 +54,7 @@ class MotorRows:
         largest = self.drive.largest_at_rest(1 if rule.by_torque > 0 else -1)
         if largest is None:
             return self.bound.leave_out(rule.key + RELIEVED, multiplier)
-        return self.bound.use(self.over_all(rule.key, [], Fraction(0), rule.scale, (rule.most - largest) / rule.scale), multiplier)
+        return self.bound.use(Row.over_runs(rule.key, [], Fraction(0), rule.scale, (rule.most - largest) / rule.scale), multiplier)
 
     def row(self, rule, at, side):
         name, drive = f"{rule.key} at x = {float(at)}", self.drive
@@ -85,14 +85,14 @@ class MotorRows:
             if term.kind == "motor_rms":
                 functions, constant, square = self.products(curve)
                 size = root(square)[1] * term.reference
-                self.bound.use(self.over_all("tangent of the root mean square of the torque", functions, constant, size,
+                self.bound.use(Row.over_runs("tangent of the root mean square of the torque", functions, constant, size,
                                              Fraction(0), i), term.weight)
 
     def use_limit(self, cost):
         """After all other rows."""
         if self.square and self.drive.at_rest:
             most = (1 - self.drive.square_at_rest() / self.drive.rms_limit**2) / 2
-            self.bound.use(self.over_all("limits.motor_torque_rms", [], 0, 1, most), self.square)
+            self.bound.use(Row.over_runs("limits.motor_torque_rms", [], 0, 1, most), self.square)
         elif self.square:
             rows = [self.limit_row(own) for own in (self.bound.curve, self.preferred()) if own is not None]
             self.bound.use(max(rows, key=lambda row: self.bound.total_with(row, self.square, cost)), self.square)
@@ -100,13 +100,7 @@ class MotorRows:
     def limit_row(self, curve):
         functions, constant, square = self.products(curve)
         limit = self.drive.rms_limit**2
-        return self.over_all("limits.motor_torque_rms", functions, constant, limit, self.bound.relaxed + (1 + square / limit) / 2)
-
-    @staticmethod
-    def over_all(name, functions, constant, size, most, peak=None):
-        """(functions + constant) / size <= most, and the peak."""
-        scaled = [{j: w / size for j, w in f.items()} for f in functions]
-        return Row(name, 0, scaled[0] if scaled else {}, most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1)))
+        return Row.over_runs("limits.motor_torque_rms", functions, constant, limit, self.bound.relaxed + (1 + square / limit) / 2)
 
     def fixed(self):
         """What laws, dwells and rests add to the mean square at least."""

@@ -18,7 +18,6 @@ long as the levers that it divides by keep their sign in the box (otherwise `Unv
 """
 
 from .dimensions import Dimensions
-from .disk_rules import DiskRules
 from .enclosures import tangent
 from .laws import constant
 from .exact import number
@@ -36,7 +35,6 @@ class InverseRules(Dimensions):
     """Lengths in m, angles in rad. Rules depend on the place in the motion: moves."""
 
     moves = True
-    displacements = staticmethod(DiskRules.displacements)
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
         super().__init__(problem, given_in(scene["cam"], NAMES), found or {}, room)
@@ -112,10 +110,6 @@ class InverseRules(Dimensions):
     def kept(self, key):
         """(formulas of the numbers and the place, nowhere above 0 along a motion that keeps the limit; further numbers)."""
         return [f for origin in rows_of(key) for f in self.along(origin)], []
-
-    def pressures(self, limit, sign):
-        """At rest the guide is a circle about the body's pivot."""
-        return []
 
     def pressure(self, limit, sign):
         """sign (-L theta') cos(limit) <= L' sin(limit), over cos(limit) L |dtheta/ds|: linear in the feeder's velocity."""

@@ -7,7 +7,7 @@ square, a norm, is at or above its tangent at any motion z: rms(y) >= <y, z> / |
 import math
 
 from .enclosures import ends_of
-from .exact import SAME_PLACE, Refuted, STATED, Unverified, number, root
+from .exact import SAME_PLACE, Refuted, STATED, Unverified, add_to, number, root
 from .prescribed import state_at
 from .rational import Fraction
 from .runs import Peak, Row
@@ -121,8 +121,7 @@ class MeasuredTable:
             return None
         functions, constant = [{} for _ in self.problem.runs] or [{}], Fraction(0)
         for z, (k, function, ends) in zip(found, self.rows):
-            constant += min(z * end for end in ends) / size
-            for j, w in function.items():
-                functions[k][j] = functions[k].get(j, Fraction(0)) + z * w / size
-        return Row("tangent of the root mean square of the deviations", 0, functions[0], -constant, place,
-                   beside=dict(enumerate(functions[1:], 1)))
+            constant += min(z * end for end in ends)
+            if function:
+                add_to(functions[k], function, z)
+        return Row.over_runs("tangent of the root mean square of the deviations", functions, constant, size, Fraction(0), place)

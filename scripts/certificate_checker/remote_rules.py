@@ -25,7 +25,6 @@ levers that it divides by keep their sign in the box (otherwise `Unverified`). A
 """
 
 from .dimensions import Dimensions, middle_size
-from .disk_rules import DiskRules
 from .laws import constant
 from .enclosures import Jet, tangent
 from .exact import number, root
@@ -47,9 +46,6 @@ def given_in(table, names, default=None):
 
 class RemoteRules(Dimensions):
     """Lengths in m, angles in rad. `room`: by how much a rule may be passed, in parts of its limit."""
-
-    moves = False
-    displacements = staticmethod(DiskRules.displacements)
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
         cam, linkage = scene["cam"], scene["linkage"]

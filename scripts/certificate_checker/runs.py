@@ -121,5 +121,11 @@ class Row:
         self.name, self.run, self.function, self.most, self.peak = name, run, function, most, peak
         self.searched = searched or {}
 
+    @staticmethod
+    def over_runs(name, functions, constant, size, most, peak=None):
+        """(functions of the runs + constant) / size <= most, and the peak."""
+        scaled = [{j: w / size for j, w in function.items()} for function in functions]
+        return Row(name, 0, scaled[0] if scaled else {}, most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1)))
+
     def functions(self):
         return {self.run: self.function} | self.beside

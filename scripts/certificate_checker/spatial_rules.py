@@ -31,7 +31,7 @@ class SpatialRules(FollowerMotion):
     """Lengths in m, angles in rad. `found`: of dimensions that are searched what was found; without it they are the numbers
     behind y''' in units of the largest they may be. `room`: by how much a rule may be passed."""
 
-    moves, of_planes = False, False
+    of_planes = False
 
     def __init__(self, problem, scene, room=Fraction(0), found=None):
         cam, self.limits, self.room = scene["cam"], problem.limits, constant(room)
@@ -112,9 +112,6 @@ class SpatialRules(FollowerMotion):
 
     def height(self, part, numbers):
         return part * self.size("roller_length", numbers)
-
-    def pressures(self, limit, sign):
-        return []
 
     def pressure(self, limit, sign, part):
         """sign V_u cos - |V_b| sin, at a part of the roller's length."""
