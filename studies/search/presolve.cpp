@@ -77,7 +77,9 @@ DualityProof proof_of(const RestConflict& conflict) {
     proof.rows = {fmt::format("{} {}, x = {:.17g}, y = {:.17g}", conflict.key,
                               conflict.where.at_rest ? "at rest" : "of the prescribed motion",
                               conflict.where.x, conflict.where.y)};
-    proof.origins = {{conflict.key, {}, conflict.where.x, Side::right, true}};
+    RowOrigin origin{conflict.key, {}, conflict.where.x, Side::right, true};
+    origin.fields.key = conflict.key;
+    proof.origins = {std::move(origin)};
     proof.matrix.resize(1, 1);
     proof.matrix.insert(0, 0) = 1.0;
     proof.lower = Eigen::VectorXd::Constant(1, conflict.violation);
