@@ -167,7 +167,7 @@ class Drive:
         curve = self.curve_of(points)
         if curve and self.at_rest:  # it never rises: no torque is above the one at speed 0
             most = points[0][1]
-            curve = [Rule("limits.motor_curve", 0, Fraction(sign), Fraction(0), most, most, {"torque": sign}) for sign in (1, -1)]
+            curve = [Rule("limits.motor_curve", sign, Fraction(sign), Fraction(0), most, most) for sign in (1, -1)]
         rules += curve
         key, unit = written(limits, MOMENTS, "motor_torque_rms")
         return rules, number(limits[key]) * unit if key else None
