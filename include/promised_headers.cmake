@@ -304,6 +304,10 @@ camopt_promise(train_formulas [[
 From the elastic follower train of a scene to its formulas: complete_dynamics(scene), once, before a scene
 built in C++ is solved. Throws InputError for a chain of more than four masses.]]
   dynamics/train_formulas.hpp)
+camopt_promise(train_study [[
+A motion, laws and a rigid optimum on the elastic train of a scene: residuals and forces over the speed, what is
+left where the natural frequency is another. Lifts, rad/s.]]
+  studies/response/train_study.hpp)
 camopt_promise(units [[
 Factors from display units to SI: 3.0 * units::millimetre is 0.003 m, 90 * units::degree is π/2 rad.
 Everything behind these headers is in m, rad, s, kg, N unless its comment says otherwise.]]

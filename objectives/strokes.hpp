@@ -25,8 +25,8 @@ struct StrokeRange {
     double begin = 0.0, end = 0.0;   ///< x
     std::optional<double> from, to;  ///< displacements at its ends, in lifts; none: free
     double least = -infinity,
-           most = infinity;   ///< of its range, in lifts; infinite: open, or the ends are free
-    bool has_points = false;  ///< its set points give a displacement
+           most = infinity;                  ///< of its range, in lifts; infinite: open, or the ends are free
+    bool has_points = false;                 ///< its set points give a displacement
     int rest_at_begin = 2, rest_at_end = 2;  ///< derivatives up to this order are 0 there, if it rests
 
     [[nodiscard]] bool is_free() const { return !from || !to; }

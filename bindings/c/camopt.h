@@ -294,10 +294,14 @@ CAMOPT_C_API camopt_error camopt_relaxation_also(const camopt_solution* solution
 // The motion.
 
 /// y, y', y'', y''' at any x of [begin, end]; where one jumps, as seen from the right (at the end: left).
-/// ARGUMENT outside, ABSENT without a motion.
+/// ARGUMENT outside, ABSENT without a motion. Where dynamics.prescribe = "output" it is the cam's.
 CAMOPT_C_API camopt_error camopt_motion_at(const camopt_solution* solution, double x, double derivatives[4]);
 
-/// The same at `count` places; any of the buffers of `count` numbers may be NULL. Nothing is written where
+/// The same of the motion of the output of an elastic train, which camopt_solution_peaks is of; without such
+/// a train the motion itself.
+CAMOPT_C_API camopt_error camopt_output_at(const camopt_solution* solution, double x, double derivatives[4]);
+
+/// camopt_motion_at at `count` places; any of the buffers of `count` numbers may be NULL. Nothing is written where
 /// one x is outside.
 CAMOPT_C_API camopt_error camopt_motion_at_all(const camopt_solution* solution, const double* x, size_t count,
                                                double* y, double* dy, double* d2y, double* d3y);

@@ -109,8 +109,16 @@ camopt_error camopt_motion_at(const camopt_solution* solution, double x, double 
     return guarded([&] {
         const camopt::Motion& motion = motion_of(solution);
         require(derivatives, "derivatives");
-        const camopt::MotionPoint point = point_at(motion, x);
-        std::copy(point.derivative.begin(), point.derivative.end(), derivatives);
+        std::ranges::copy(point_at(motion, x).derivative, derivatives);
+    });
+}
+
+camopt_error camopt_output_at(const camopt_solution* solution, double x, double derivatives[4]) {
+    return guarded([&] {
+        const camopt::Motion& motion = motion_of(solution);
+        require(derivatives, "derivatives");
+        const auto& output = solution->solution.output;
+        std::ranges::copy(point_at(output ? *output : motion, x).derivative, derivatives);
     });
 }
 

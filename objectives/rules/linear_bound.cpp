@@ -22,10 +22,11 @@ double LinearRule::scale_at(double x) const {
     // So close to the ends that y, which leaves them from rest, is below 1e-10 of its stroke.
     constexpr double at_the_end = 1e-9;
     const double along = std::clamp((x - bound_.begin) / (bound_.end - bound_.begin), 0.0, 1.0);
-    const double unit = bound_.touches_begin && bound_.touches_end ? 2.0 : 1.0;
-    double scale = 1.0;
-    if (bound_.touches_begin) scale *= std::pow(unit * along, bound_.contact_begin);
-    if (bound_.touches_end) scale *= std::pow(unit * (1.0 - along), bound_.contact_end);
+    const int begin = bound_.contact_begin, end = bound_.contact_end;
+    const double scale = !bound_.touches_end     ? std::pow(along, begin)
+                         : !bound_.touches_begin ? std::pow(1.0 - along, end)
+                         : begin == end          ? std::pow(4.0 * along * (1.0 - along), begin)
+                                        : std::pow(2.0 * along, begin) * std::pow(2.0 * (1.0 - along), end);
     return scale > at_the_end ? scale : 0.0;
 }
 

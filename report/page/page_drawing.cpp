@@ -85,9 +85,10 @@ Json plane_drawing(const View& view) {
     if (!shape || shape->parts(shape->start).empty()) return nullptr;
     const DrivenMechanism& cam = shape->cam;
     const double unit_angle = view.delivered.scale.unit_angle;
-    // Along its own motion, without the dwell of a DRD cam.
+    // A disk along its own motion, without the dwells of a DRD cam, whose ends do not meet; a plate with
+    // them.
     const std::vector<double> breakpoints = view.delivered.whole->breakpoints();
-    if (breakpoints.size() != shape->knots.size()) {
+    if (!cam.formulas->plane()->is_plate() && breakpoints.size() != shape->knots.size()) {
         shape->closed = false;
         shape->knots.clear();
         for (const double x : breakpoints) shape->knots.push_back(unit_angle * x);

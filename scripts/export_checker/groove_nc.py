@@ -62,6 +62,7 @@ class GrooveProgram:
         words = [f"cutter of diameter {float(2 * self.radius):g} mm", f"blank of diameter {2 * self.blank.radius:g} mm from "
                  f"{self.blank.lower:g} to {self.blank.upper:g} mm"]
         words += [f"{float(self.z_offset):g} mm subtracted from Z"] if self.z_offset else []
+        words += self.program.words_of_stock()
         return ", ".join(words + ([f"clamps within diameter {float(2 * self.clamps):g} mm"] if self.clamps else ["no room for clamps"]))
 
     def stand(self, position):
@@ -179,7 +180,7 @@ class GrooveProgram:
         return feed.parts(math.floor(ends[0] * ONE), math.ceil(ends[1] * ONE))
 
     def finishing_departure(self):
-        room = self.cam.radius - self.radius
+        room = self.cam.radius - self.radius - self.program.stock
         if abs(room) <= FILLS:
             _, bound, place = self.departure_of_pass(self.passes()[-1], [Fraction(0)])
             return bound + float(abs(room)) * (1 + 1e-15), place

@@ -90,9 +90,9 @@ def finishing_departure(cam, program):
     if not stretches:
         raise Refuted("no feed at the lowest depth")
     if cam.form != "grooved":
-        return departure_of_pass(cam, Places(cam, program.radius), stretches[-1])
+        return departure_of_pass(cam, Places(cam, program.radius + program.stock), stretches[-1])
     half = cam.roller + cam.clearance / 2
-    room = half - program.radius
+    room = half - program.radius - program.stock
     if abs(room) <= FILLS:
         bound, place = departure_of_pass(cam, Places(cam, cam.roller), stretches[-1])
         return bound + float(abs(room)) * (1 + 1e-15), place
@@ -173,7 +173,7 @@ def verify(text, scene, design, second=None):
     program = Program(text)
     if len(program.axes.letters) != 3:
         raise Unverified("a program for another machine than three axes")
-    outcome = Outcome()
+    outcome = Outcome(stated=", ".join(program.words_of_stock()))
     profile, place = finishing_departure(cam, program)
     outcome.bounds["profile_mm"], outcome.places["profile_mm"] = profile, place
     sag = min(MOST_SAG, max(LEAST_SAG, SAG_OF_BOUND * profile))

@@ -24,6 +24,7 @@ HELD = re.compile(rf"[(;]fixture: the plate is held below y = {MILLIMETRES} mm, 
 REGISTER = re.compile(r"[(;]compensation: .*, register D(\d+) holds the cutter's radius of (\d+(?:\.\d+)?) mm")
 PRINTED = Fraction(1, 10**4)        # mm: of that radius
 CLAMPS = re.compile(r"[(;]fixture: .*clamps lie within diameter (\d+(?:\.\d+)?) mm about its axis, at most (\d+(?:\.\d+)?) mm above the blank")
+STOCK = re.compile(r"[(;]stock: (\d+(?:\.\d+)?(?:e[+-]?\d+)?) mm are left on the finished surface")
 GROOVE = re.compile(r"[(;]the groove, \d+(?:\.\d+)? mm wide, (\d+(?:\.\d+)?) mm deep,")
 PLAIN = {17, 49, 80, 93, 94}        # XY plane, no compensation of the tool's length, no cycle, either way to state a feed
 ORIGINS = range(54, 60)             # one of them before the first move: coordinates count from the machine's zero of this job
@@ -35,7 +36,7 @@ HARMLESS = set("FSTNO")             # feed, speed, tool, number of block and pro
 
 class Program:
     """`axes`, by which the moves are those of the cam; `moves` of the cutter's centre; `radius` of the cutter; `blank`: (radius, from, to)
-    along z, or None; `groove_depth`, or None. `clamps`: (radius about the cam's axis, z up to which they may reach), or None.
+    along z, or None; `stock`: left on the surface. `groove_depth`, or None. `clamps`: (radius about the cam's axis, z up to which they may reach), or None.
     `bar`: the block of a plate, from and to along x, y, z, or None; `held`: (y up to which clamps may hold it, z likewise), or None. `side`: 1
     under G41, -1 under G42; `programmed`: the moves there so far."""
 
@@ -45,6 +46,8 @@ class Program:
         if len(tools) != 1:
             raise Unverified("a program that does not state the diameter in mm of one cutter")
         self.radius = Fraction(tools[0]) / 2
+        stock = STOCK.search(text)
+        self.stock = Fraction(stock[1]) if stock else Fraction(0)
         groove = GROOVE.search(text)
         self.groove_depth = Fraction(groove[1]) if groove else None
         self.blank = (Fraction(blank[1]) / 2, Fraction(blank[2]), Fraction(blank[3])) if blank else None
@@ -62,6 +65,9 @@ class Program:
             raise Refuted("the program does not end with M2 or M30")
         if self.programmed:
             raise Refuted(f"line {self.programmed[-1].line}: no G40 ends the cutter compensation")
+
+    def words_of_stock(self):
+        return [f"{float(self.stock):g} mm left as stock"] if self.stock else []
 
     def read(self, line, text):
         code = COMMENT.sub(" ", text).strip()

@@ -31,7 +31,8 @@ def surface_part(places, stretch):
 
 def finishing_departure(cam, program, stretch, ways):
     """(bound, where)."""
-    places = Places(cam, program.radius)
+    offset = program.radius + program.stock
+    places = Places(cam, offset)
     moves, backwards = surface_part(places, stretch)
     rounded = ROUNDING if any(move.wanted[0] != move.start[:2] for move in moves) else 0.0
     segments = [ways.segment_of(move, backwards) for move in (reversed(moves) if backwards else moves)]
@@ -39,7 +40,7 @@ def finishing_departure(cam, program, stretch, ways):
         for before, segment in zip(segments, segments[1:]):
             segment.start_line = before.line
     points = [doubles(segment.start) for segment in segments] + [doubles(segments[-1].end)]
-    bound, place = largest_departure(cam, segments, places.along(points), program.radius)
+    bound, place = largest_departure(cam, segments, places.along(points), offset)
     return bound + rounded, place
 
 
@@ -75,7 +76,8 @@ def enters_clamps(program, move):
 
 def verify(text, scene, design, ways):
     """The Outcome of a program; `ways`: of nc.py, which finds the finishing pass and the low moves of any program on three axes."""
-    cam, program, outcome = LinearCam(scene, design), Program(text), Outcome()
+    cam, program = LinearCam(scene, design), Program(text)
+    outcome = Outcome(stated=", ".join(program.words_of_stock()))
     if len(program.axes.letters) != 3:
         raise Unverified("a program for another machine than three axes")
     if program.bar is None:

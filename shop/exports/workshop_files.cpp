@@ -108,15 +108,15 @@ struct ProgramName {
     const char* departure;
 };
 
-/// Of the finishing pass: chords, printed digits and the stock that is left, with a tenth more as room for
-/// the proof; of every move: how deep it may enter the finished cam. "path_mm": of the cutter's axis, at
-/// either end of its working length.
+/// Of the finishing pass, from the surface that leaves the stock: chords and printed digits, with a tenth
+/// more as room for the proof; of every move: how deep it may enter the finished cam. "path_mm": of the
+/// cutter's axis, at either end of its working length.
 std::string program_claims(const ProgramName& name, const Solution& solution, const CheckedProgram& program,
-                           const NcWork& work, double stock) {
+                           const NcWork& work) {
     constexpr double room = 1.1, printed = 2e-8;  // m
     const NcPoseCheck& poses = program.poses;
     const double rounding = poses.tip_rounding + poses.axis_rounding * work.task.blocks.working_length;
-    const double chords = room * (program.chord_deviation + rounding) + printed + stock;
+    const double chords = room * (program.chord_deviation + rounding) + printed;
     return export_check_json(solution, {{"camopt", version()},
                                         {"kind", "nc"},
                                         {"file", name.file + ".nc"},
@@ -134,7 +134,7 @@ ExportedProgram checked(const ProgramName& name, const Solution& solution, const
             program.program.text,
             nc_check_text(program),
             tool_path_svg(program, work, machine, {work.job.title, shown_units(solution.scene).length}),
-            program_claims(name, solution, program, work, choice.stock),
+            program_claims(name, solution, program, work),
             program.fault()};
 }
 

@@ -31,6 +31,7 @@ struct NcJob {
     std::string title, tool;           ///< of the program; what the cutter is, in words
     std::vector<std::string> remarks;  ///< comment lines
     std::vector<NcPass> passes;        ///< at least one
+    double stock = 0.0;                ///< m, >= 0: left on the finished surface for the next program
     double feed = 5e-3;                ///< m/s, > 0: of the tip in the cam
     double plunge_feed = 1e-3;         ///< m/s, > 0
     double rotary_speed = 0.0;         ///< rad/s, >= 0: the fastest a rotary axis may turn; 0: no limit

@@ -118,6 +118,9 @@ void NcWriter::begin(const NcJob& job, double plane) {
                 ? "feed: G93, F = 1 / minutes of the block, plunging: G94"
                 : fmt::format("feed: G94, {} / min", length));
     for (const std::string& remark : job.remarks) comment(remark);
+    if (job.stock > 0.0)
+        comment(
+            fmt::format("stock: {:.9g} mm are left on the finished surface", job.stock / units::millimetre));
     describe_blank(job, plane);
     warn(job);
     const bool plane_words = std::ranges::any_of(job.passes, [](const NcPass& pass) {

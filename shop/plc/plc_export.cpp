@@ -210,7 +210,7 @@ std::string plc_json(const Solution& solution, const MasterCurve& curve,
     return json_text(json);
 }
 
-constexpr double lossless_displacement = 1e-12;  // of the lift
+constexpr double lossless_displacement = 4e-12;  // of the lift
 constexpr double lossless_derivative = 1e-9;     // of its peak
 
 void check_count(const PlcFormat& format, int count) {

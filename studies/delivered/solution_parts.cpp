@@ -109,12 +109,12 @@ LawMotion law_in_place(const Solution& solution, std::string_view law) {
 TrainReport train_report(const Scene& scene, const Motion& motion) {
     const DynamicsSpec& spec = scene.dynamics.value();
     TrainReport report;
-    report.natural_frequencies = spec.formulas->natural_frequencies();
+    report.natural_frequencies = train_of(scene).natural_frequencies();
     report.frequency_ratio = scene.motion.unit_angle() / scene.motion.speed.value() *
                              report.natural_frequencies.front() / units::turn;
     report.speeds = response_speeds(scene);
     if (motion_events(scene.motion).empty()) return report;
-    if (spec.formulas->vibrates())
+    if (train_of(scene).vibrates())
         report.residual = response_report_of(scene, ResponseKind::residual, motion);
     report.acceleration = response_report_of(scene, ResponseKind::acceleration, motion);
     if (spec.pressed()) report.least_force = response_report_of(scene, ResponseKind::contact_force, motion);

@@ -23,7 +23,7 @@ constexpr double shown_periods = 3.0;
 class TrainStudyRun {
  public:
     TrainStudyRun(const Scene& scene, const SpeedSweep& speeds) : scene_(scene) {
-        study_.natural_frequencies = scene.dynamics->formulas->natural_frequencies();
+        study_.natural_frequencies = train_of(scene).natural_frequencies();
         for (int k = 0; k < speeds.count; ++k) {
             const double part = speeds.count == 1 ? 0.0 : static_cast<double>(k) / (speeds.count - 1);
             study_.speeds.push_back(speeds.from + part * (speeds.to - speeds.from));
@@ -34,7 +34,7 @@ class TrainStudyRun {
 
     void add(const std::string& key, const std::string& title, const Motion& motion, bool with_history) {
         study_.motions.emplace_back(key, title);
-        pieces_.push_back(scene_.dynamics->formulas->pieces(motion));
+        pieces_.push_back(train_of(scene_).pieces(motion));
         if (with_history) add_history(key, pieces_of_event(pieces_.back(), study_.strokes.front()));
     }
     void add_rows() {
@@ -52,7 +52,7 @@ class TrainStudyRun {
     /// A train whose springs and dampers all are so much stiffer, in lifts and x, is the given one at a speed
     /// that is so much lower.
     void add_detuned() {
-        if (!scene_.dynamics->formulas->vibrates()) return;
+        if (!train_of(scene_).vibrates()) return;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             DetunedRow& row = study_.detuned.emplace_back(DetunedRow{study_.motions[i].first, {}});
             for (std::size_t k = 0; k < detuning.size(); ++k) {
@@ -65,7 +65,7 @@ class TrainStudyRun {
         }
     }
     void add_steady(const Motion& turn) {
-        const std::vector<SlopePiece> pieces = scene_.dynamics->formulas->pieces(turn);
+        const std::vector<SlopePiece> pieces = train_of(scene_).pieces(turn);
         for (const double speed : study_.speeds) {
             const auto train = train_at(scene_, speed);
             const Eigen::VectorXd start = train->steady_start(pieces);

@@ -99,11 +99,22 @@ def check_keys(name, scene_text, report, known):
     check(code and tomllib.loads(code.group(2)) == scene, name, "does not repeat its scene")
 
 
-def largest(folder, column):
-    """The first cell of the largest magnitude, with its sign; None where a cell is empty: infinite. Of the output's motion where it is
-    prescribed."""
+def motion_cells(folder, column):
+    """Of the output's motion where it is prescribed, whose columns are those in mm and seconds."""
     with open(folder / "motion.csv", newline="", encoding="utf-8") as file:
-        cells = [row.get("output_" + column, row[column]) for row in csv.DictReader(file)]
+        rows = list(csv.DictReader(file))
+    if "output_s_mm" not in rows[0]:
+        return [row[column] for row in rows]
+    order = {"v": 1, "a": 2, "j": 3, "ds": 1, "dds": 2, "ddds": 3}[column.split("_")[0]]
+    pace = math.radians(float(rows[-1]["theta_deg"]) - float(rows[0]["theta_deg"])) / float(rows[-1]["t_s"])
+    factor = pace**-order if column.startswith("d") else 1e-3 if "_m_" in column else 1.0
+    own = ("output_v_mm_s", "output_a_mm_s2", "output_j_mm_s3")[order - 1]
+    return [factor * float(row[own]) for row in rows]
+
+
+def largest(folder, column):
+    """The first cell of the largest magnitude, with its sign; None where a cell is empty: infinite."""
+    cells = motion_cells(folder, column)
     if "" in cells:
         return None
     values = [float(cell) for cell in cells]

@@ -3,7 +3,8 @@
 
 Random scenes are solved by camopt and, without any of its code, by HiGHS. The spline here is y(0), y'(0), y''(0) and the
 B-spline coefficients of y''', integrated three times; rows are added where a bound is exceeded most, at the exact extremes of
-each polynomial piece. Objectives must agree to 1e-7, verdicts must be the same.
+each polynomial piece. Objectives must agree to 1e-7, verdicts must be the same. Where the program finds less, by rows that its
+tolerance exceeds next to the ends of a stroke, scripts/verify-certificate decides; at most one scene in ten.
 """
 import argparse
 import json
@@ -22,6 +23,7 @@ SAME = 1e-7       # of objectives, relative
 EXCEEDED = 1e-12  # a bound exceeded by more than this part of its size becomes a row
 GRID = 6          # places of the first grid in a piece
 ROUNDS = 60
+JUDGED = "below which HiGHS comes, and no motion, proved exactly"
 TRIES = (("highs-ds", 1e-10, True), ("highs-ds", 1e-10, False), ("highs-ds", 1e-9, True), ("highs-ds", 1e-9, False))
 TYPICAL = (1.0, 2.0, 6.0, 60.0)  # of y, y', y'', y''': rows are divided by these
 PER_SECOND = 1500.0  # degrees, at 250 rpm
@@ -243,7 +245,8 @@ class RandomScene:
 
     def choose_limits(self):
         text = ""
-        for name, order, least in (("acceleration", 2, 5.6), ("jerk", 3, 60.0)):
+        room = 1.5 if self.degree == 7 else 1.0  # what rests to a higher order needs larger peaks
+        for name, order, least in (("acceleration", 2, 5.6 * room), ("jerk", 3, 60.0 * room)):
             sides = {"min": -round(self.numbers.uniform(least, 2 * least), 2),
                      "max": round(self.numbers.uniform(least, 2 * least), 2)}
             if self.numbers.random() < 0.2:
@@ -320,6 +323,14 @@ def solved(camopt, text, place, index):
     return result["verdict"], result["objective"]
 
 
+def proved_exactly(camopt, text, folder):
+    """Whether no motion is below what camopt says, in exact arithmetic; and what it delivers satisfies the scene."""
+    checker.solve(camopt, text, folder)
+    code, why = checker.outcome(checker.load(), folder)
+    print(f"  {code}: {why}")
+    return code == "confirmed"
+
+
 def compared(description, count, seed, draw, program, words_of, enough):
     """Random scenes through camopt and the program that is independent of it; the exit code. enough(met, count): the verdicts met."""
     parser = argparse.ArgumentParser(description=description)
@@ -342,6 +353,11 @@ def compared(description, count, seed, draw, program, words_of, enough):
             print(words, flush=True)
             met[verdict] = met.get(verdict, 0) + 1
             same = verdict == ("infeasible" if expected is None else "optimal")
+            if same and expected is not None and expected < objective * (1 - SAME) and \
+                    proved_exactly(arguments.camopt, scene.text, Path(place) / f"judged_{index}"):
+                met[JUDGED] = met.get(JUDGED, 0) + 1
+                if 10 * met[JUDGED] <= arguments.count:
+                    continue
             if not same or (expected is not None and abs(objective - expected) > SAME * abs(expected)):
                 faults.append(words + "\n" + scene.text)
     print(met)

@@ -101,6 +101,24 @@ class ExportOfPlaneCams(unittest.TestCase):
                 self.assertEqual(1, run.returncode, run.stdout)
                 self.assertIn("line ", run.stdout.splitlines()[-1])
 
+    def test_stock_that_is_left(self):
+        """The finishing pass is judged by the surface that leaves what the program says, every move by the cam."""
+        for name in (SCENES[0], TWO_SIDED[0], PLATES[0])[:1 if len(SCENES) == 1 else None]:
+            with self.subTest(name):
+                folder = Path(self.place.name) / (name + " with stock")
+                checker.solve(CAMOPT, checker.ROOT / "scenes" / (name + ".toml"), folder)
+                cutter = ["--cutter-mm", "12"] if name == "cam_grooved" else []  # which runs along either flank
+                subprocess.run([CAMOPT, "export", folder, "--out", folder / "files", "--nc", "--stock-mm", "0.2", *cutter], check=True,
+                               capture_output=True, timeout=300)
+                scene, result = tomllib.loads((folder / "scene.toml").read_text()), json.loads((folder / "result.json").read_text())
+                program = (folder / "files" / "cam.nc").read_text()
+                found = self.nc.verify(program, scene, result)
+                self.assertEqual(([], [], "0.2 mm left as stock"), (found.faults, found.unverified, found.stated))
+                self.assertLess(found.bounds["profile_mm"], 0.01)
+                self.assertLessEqual(found.bounds["gouge_mm"], 0.0)
+                told = next(line for line in program.splitlines() if "stock: 0.2" in line)
+                self.assertGreater(self.nc.verify(program.replace(told, ""), scene, result).bounds["profile_mm"], 0.19)
+
     def test_drawings(self):
         for name, (scene, result, drawing, _) in self.cases.items():
             with self.subTest(name):

@@ -204,6 +204,16 @@ class ExportOfSpatialCams(unittest.TestCase):
             outcome = self.nc.verify(program[:program.index("(pass: flank -1")] + "M30\n", scene, result)
             self.assertGreater(outcome.bounds["path_mm"], 0.2)  # what roughing left on the other flank
 
+    def test_stock_that_is_left(self):
+        folder = self.folder("slide")
+        scene, result, program = self.exported(folder, ["--cutter-mm", "16", "--stock-mm", "0.2", "--full-depth"], "stock")
+        outcome = self.nc.verify(program, scene, result)
+        self.assertEqual(([], []), (outcome.faults, outcome.unverified))
+        self.assertLess(outcome.bounds["path_mm"], 0.02)
+        self.assertIn("0.2 mm left as stock", outcome.stated)
+        told = next(line for line in program.splitlines() if "stock: 0.2" in line)
+        self.assertGreater(self.nc.verify(program.replace(told, ""), scene, result).bounds["path_mm"], 0.19)
+
     def test_another_cam(self):
         for name, key in (("slide", "axial_offset_mm"), ("indexing", "center_distance_mm"), ("barrel", "lateral_offset_mm"))[:2 if QUICK else None]:
             scene, result, program = self.case(name)

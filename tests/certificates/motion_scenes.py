@@ -92,7 +92,7 @@ TEXTS = {
                        "10\nrest = 4\n", "optimal"),
     "septic_cam": ('[motion]\ntype = "DRD"\nlift_mm = 20\nrise_deg = 60\n' + SEPTIC + "14\nrest = 4\n" + ROLLER.replace("= 40", "= 30") +
                    "[limits]\npressure_angle_deg = 31\n", "optimal"),
-    "septic_drive": (SLIDE + "[spline]\ndegree = 7\nsegments = 10\nrest = 4\n[objective]\nmotor_torque_rms = 1\njerk = 0.05\n[limits]\n"
+    "septic_drive": (SLIDE + "[spline]\ndegree = 7\nsegments = 10\nrest = 4\n[objective]\nmotor_torque_rms = 1\njerk = 0.2\n[limits]\n"
                      "motor_torque_nm = 6\n", "optimal"),
     "turning": ('[motion]\ntype = "program"\nlift_mm = 10\nclosed = false\nwithin_lift = false\n' + SPLINE + "angle_deg = 90\nto = 1\n"
                 "end = { velocity = 0 }\n" + SPLINE + "angle_deg = 60\nto = -1\n" + OBJECTIVE, "optimal"),

@@ -106,9 +106,12 @@ KINDS = {
 }
 
 CAMLESS = ["rise", "rise and return", "program", "set points", "open program", "advancing", "swing", "measured",
-           "started from a measured motion", "elastic train", "laws on an elastic train", "program of an output on an elastic train", "motor", "motor with its curve", "degree 7"]
+           "started from a measured motion", "elastic train", "laws on an elastic train",
+           "program of an output on an elastic train", "motor", "motor with its curve", "degree 7"]
 SPATIAL = ["barrel", "cylinder", "drum", "indexing", "given drum"]
 REMOTE = ["remote", "inverse", "given guide"]
+# Those of which the jerk is continuous, those refused for another reason too.
+SMOOTH = ["degree 7", "roller at degree 7", "laws that join", "given disk in inches", "given drum", "given plate", "given guide", "infeasible"]
 VALVES = ["valve", "valve in inches", "forces at every speed"]
 OF_CAMS = ["DXF", "drawing as SVG", "drawing as PDF", "drawing as DXF", "STEP", "STL", "picture", "NC"]
 
@@ -120,7 +123,7 @@ MACHINES = {
 }
 CONTROLLERS = ["codesys", "twincat", "twincat7", "siemens", "br", "rockwell", "omron", "lenze", "csv"]
 
-MACHINES_REFUSED = {}
+MACHINES_REFUSED = {(name, "twincat7"): "the jerk jumps at" for name in MACHINES}
 
 # Words of the reason, a regular expression; outputs; kinds of which they are refused.
 REFUSED = [
@@ -136,9 +139,9 @@ REFUSED = [
     ("which is not a plane curve", ["DXF"], SPATIAL),
     (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],
      ["valve", "valve in inches", "laws on an elastic train", "given plate", "given guide"]),
-    ("the acceleration jumps at", ["codesys", "twincat"], ["given plate", "given guide"]),
-    ("camopt dynamics compares what laws leave", ["comparison"],
-     ["cam for an output on an elastic train", "program of an output on an elastic train"]),
+    ("the acceleration jumps at", ["codesys", "twincat", "twincat7"], ["given plate", "given guide"]),
+    ("the jerk jumps at", ["twincat7"], [kind for kind in KINDS if kind not in SMOOTH]),
+    ("found an open one", ["STEP", "NC"], ["cam for an output on an elastic train"]),
     (r"found a given cam without \[objective\]", ["comparison"], ["given disk in inches"]),
 ]
 

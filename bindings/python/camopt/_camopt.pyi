@@ -267,7 +267,11 @@ class Solution:
     def relaxation(self) -> list[Relaxation]:
         """Of an infeasible scene: for each limit the least change of it alone that helps."""
     @property
-    def motion(self) -> Motion | None: """The Motion found, callable; None where nothing was found."""
+    def motion(self) -> Motion | None:
+        """The Motion found, callable; None where nothing was found. Where the output is prescribed, the cam's."""
+    @property
+    def output(self) -> Motion | None:
+        """The Motion of the output where dynamics.prescribe = "output"; None: it is `motion`."""
     @property
     def peaks(self) -> Peaks | None:
         """The exact Peaks of the motion, normalised as the scene's limits; None without a motion."""
@@ -340,9 +344,9 @@ class Solution:
         """STEP, as text, mm: a disk cam as a solid, the flanks of a three-dimensional cam as surfaces. Options bore_mm,
         thickness_mm. Raises UnavailableError in a build without Open CASCADE."""
     def plc(self, controller: str, **options: _Option) -> str:
-        """The motion as an electronic cam, as text: of "codesys", "twincat", "twincat7", "siemens", "br", "rockwell",
-        "omron", "lenze" or "csv". Master in deg, slave in mm or deg. Option points: evenly over the revolution; default: the
-        joints of the motion."""
+        """The motion as an electronic cam, as text: of "codesys", "twincat", "twincat7", "siemens", "br", "rockwell", "omron",
+        "lenze" or "csv". Master in deg, slave in mm or deg. Option points: evenly over the revolution; default: the joints of
+        the motion."""
     def report(self, format: str = "md") -> str:
         """The report as text: "md" is report.md, Markdown, "html" is report.html, a page that needs nothing else."""
 

@@ -48,6 +48,7 @@ void MillingChoice::validate(double cutter_diameter) const {
 NcJob milling_job(const MillingOptions& options, const Blank& blank, double diameter, double working_length) {
     NcJob job;
     job.title = options.title;
+    job.stock = options.stock;
     job.tool = fmt::format("cylindrical end mill, diameter {:.9g} mm, working length {:g} mm or more",
                            diameter / units::millimetre, working_length / units::millimetre);
     job.feed = options.feed;

@@ -243,6 +243,21 @@ TEST(CSolve, NamesTheNumbersOfTheCam) {
     EXPECT_EQ(std::string_view(camopt_error_text()), "index: found 3; allowed: 0 to 2");
 }
 
+/// The cam goes further by what the return spring of the train bends.
+TEST(CSolve, GivesTheOutputBesideItsCam) {
+    std::array<double, 4> cam{}, output{};
+    const CSolution prescribed = c_solved(c_scene_of_file("splinedyne_slide"));
+    EXPECT_OK(camopt_motion_at(prescribed.get(), 1.0, cam.data()));
+    EXPECT_OK(camopt_output_at(prescribed.get(), 1.0, output.data()));
+    EXPECT_NEAR(output[0], 1.0, 1e-9);
+    EXPECT_GT(cam[0], 1.01);
+    const CSolution plain = c_solved(c_scene_of_file("cam_roller"));
+    EXPECT_OK(camopt_motion_at(plain.get(), 0.3, cam.data()));
+    EXPECT_OK(camopt_output_at(plain.get(), 0.3, output.data()));
+    EXPECT_EQ(cam, output);
+    EXPECT_EQ(camopt_output_at(plain.get(), -0.1, output.data()), CAMOPT_ERROR_ARGUMENT);
+}
+
 TEST(CSolve, NamesTheSpringThatWasChosen) {
     const CScene scene = c_scene_of_file("cam_forces");
     EXPECT_OK(camopt_set_toml(scene.get(), "forces.preload_n", "{ min = 20, max = 400 }"));
@@ -453,6 +468,8 @@ TEST(CSolve, RefusesNulls) {
                                   camopt_relaxation_also(s, 0, 0, nullptr),
                                   camopt_motion_at(nullptr, 0.5, &y),
                                   camopt_motion_at(s, 0.5, nullptr),
+                                  camopt_output_at(nullptr, 0.5, &y),
+                                  camopt_output_at(s, 0.5, nullptr),
                                   camopt_motion_at_all(nullptr, &y, 1, &y, nullptr, nullptr, nullptr),
                                   camopt_motion_at_all(s, nullptr, 1, &y, nullptr, nullptr, nullptr),
                                   camopt_motion_samples(nullptr, 2, &y, nullptr, nullptr, nullptr, nullptr),

@@ -5,6 +5,7 @@
 #include "scene/scene.hpp"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -104,7 +105,11 @@ std::vector<CamSpec> plates() {
     return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Followers, LinearCam, testing::ValuesIn(plates()));
+std::string number_of(const testing::TestParamInfo<CamSpec>& info) {
+    return fmt::format("plate_{}", info.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Followers, LinearCam, testing::ValuesIn(plates()), number_of);
 
 /// The plates, and those that slide the other way.
 std::vector<CamSpec> either_way() {
@@ -179,7 +184,7 @@ TEST_P(LinearPoints, LieUnderFollowerInTheirPose) {
     EXPECT_NEAR(at(0.0).contact.x(), 0.0, 1e-15);
 }
 
-INSTANTIATE_TEST_SUITE_P(EitherWay, LinearPoints, testing::ValuesIn(either_way()));
+INSTANTIATE_TEST_SUITE_P(EitherWay, LinearPoints, testing::ValuesIn(either_way()), number_of);
 
 std::string fault_of(const CamSpec& spec, double least, double most) {
     return spec.formulas()->fault(spec.middle(), least, most);

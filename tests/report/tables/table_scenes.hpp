@@ -2,6 +2,7 @@
 // Scene files that the tests of the tables make for any row, so that a new row is tested without an edit.
 #pragma once
 
+#include "input/loading/known_scene.hpp"
 #include "input/loading/load_scene.hpp"
 #include "scene/limit_table.hpp"
 #include "tests/support/refusal.hpp"
@@ -30,7 +31,7 @@ inline std::string scene_text(bool swings, const std::string& objective, const s
 }
 
 inline Scene read(const std::string& text) {
-    return input::read_scene(text, "s.toml", known_names());
+    return known_scene(text, "s.toml", known_names(), {});
 }
 
 /// What the reader says; empty where it takes the scene.

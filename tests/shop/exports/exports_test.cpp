@@ -45,7 +45,7 @@ TEST(Exports, EveryNameGivesAFile) {
         EXPECT_TRUE(has(names, name)) << name;
     std::vector<std::string> available;
     for (const std::string& name : names) {
-        if (name == "twincat7.st") {  // of a cubic the jerk jumps
+        if (name.starts_with("twincat7.")) {  // of a cubic the jerk jumps
             EXPECT_THROW((void)exported_file(solution, name), InputError);
             continue;
         }

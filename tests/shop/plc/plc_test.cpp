@@ -274,7 +274,8 @@ TEST(PlcExport, FilesAreAscii) {
 
 TEST(PlcExport, SomeFormatsHoldDegreeSeven) {
     for (const PlcResult& result : plc_export(septic_solution(), plc_format_keys(), {}).results) {
-        EXPECT_EQ(result.lossless, result.format->degree == 7) << result.format->key;
+        EXPECT_EQ(result.lossless, result.format->degree == 7)
+            << result.format->key << ": " << testing::PrintToString(result.of_peak);
         EXPECT_LE(result.of_peak[0], result.format->straight_lines ? 1e-3 : 1e-5) << result.format->key;
     }
 }

@@ -53,7 +53,7 @@ void expect_optimum(const Scene& scene, double objective, const std::array<doubl
     // Of equally good motions the tie-break takes one.
     EXPECT_NEAR(solution.peaks.velocity.value, peaks[0], 5e-5);
     EXPECT_NEAR(solution.peaks.acceleration.value, peaks[1], 1e-4);
-    EXPECT_NEAR(solution.peaks.jerk.value, peaks[2], 1e-3);
+    EXPECT_NEAR(solution.peaks.jerk.value, peaks[2], 2e-3);
 }
 
 TEST(PrescribedOutput, MatchesIndependentProgram) {
@@ -162,6 +162,12 @@ TEST(PrescribedOutput, PolydyneLeavesNoVibration) {
     ASSERT_FALSE(study.detuned.empty());
     EXPECT_LT(study.detuned.front().residual[1], 1e-9);
     EXPECT_GT(study.detuned.front().residual[0], 1e-6);
+}
+
+TEST(PrescribedOutput, NeedsTheFormulasOfItsTrain) {
+    Scene scene = rise(2.0, 16);
+    scene.dynamics->formulas.reset();
+    EXPECT_TRUE(says(refusal([&] { (void)solve(scene); }), "without its formulas"));
 }
 
 TEST(PrescribedOutput, HoldsCamToItsLimits) {
