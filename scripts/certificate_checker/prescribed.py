@@ -116,8 +116,7 @@ def judge_passed_limit(problem, proof, report):
 def limits_at(problem, rule, at, stretch):
     """[(order, sign, most, scale)] of a limit at a place where the motion is prescribed: sign * y^(order) <= most. Peaks beside splines
     are those of the splines."""
-    caps = [(order, cap) for order, cap, key in problem.motion_caps if key == rule]
-    caps += [(t.order, t.cap * stretch.scale(t.order)) for t in problem.terms if t.kind == "peak" and t.cap is not None and
+    caps = [(t.order, t.cap * stretch.scale(t.order)) for t in problem.terms if t.kind == "peak" and t.cap is not None and
              not problem.runs and stretch.kind == "law" and rule in [f"limits.{n}" for n, order in ORDERS.items() if order == t.order]]
     return [(order, sign, cap, cap) for order, cap in caps for sign in (1, -1)] + [
         (b.order, b.sign, b.most, b.scale) for b in problem.bounds if b.key == rule and b.stretch in (None, stretch) and
