@@ -277,7 +277,8 @@ TEST_P(MadeCams, KeepLimitsThatDrawnOnesPass) {
     EXPECT_GT(without.worst, 1e-5);
     scene.tolerance = tolerance;
     const Solution solution = solve(scene);
-    ASSERT_TRUE(solution.motion);
+    ASSERT_TRUE(solution.motion) << name_of(solution.certificate.verdict) << ": "
+                                 << name_of(solution.certificate.reason);
     EXPECT_LE(worst_of_made_cams(solution, tolerance, cams), 1e-6);
     const Trials trials(solution, tolerance);
     EXPECT_GT(trials.places(), 0U);
