@@ -84,8 +84,6 @@ class Bound:
             if most is None or term.kind != "peak":
                 continue
             lower(term.order, most * term.reference * max(s.scale(term.order) for s in run.stretches))
-        for order, cap, _ in self.problem.motion_caps:
-            lower(order, cap * (1 + self.relaxed))
         length = run.space.breakpoints[-1] - run.space.breakpoints[0]
         for order, size in self.motor.bounded(run, length) if self.motor else ():
             lower(order, size)
@@ -229,10 +227,6 @@ class Bound:
             return Row(name, k, function, Fraction(0), peak), Fraction(1)
         if run is None and sign:
             return self.row_beside_splines(name, rule, order, sign, at, side)
-        cap = next((c for o, c, key in self.problem.motion_caps if key == rule and o == order), None)
-        if cap is not None and run is not None and sign:
-            function = {j: w * sign / cap for j, w in run.space.functional(at, order, side).items()}
-            return Row(name, k, function, 1 + self.relaxed), Fraction(1)
         bound = next((b for b in self.problem.bounds if b.is_meant(rule, order, sign, stretch)), None)
         if bound is None and any(b.key == rule for b in self.problem.bounds):
             raise Refuted(f"{name}: the scene has no such rule")

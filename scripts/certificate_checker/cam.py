@@ -331,11 +331,11 @@ class Cam:
         formulas = self.formulas_along(key)
         return (lambda curve: self.keep_formulas(curve, key, formulas)) if formulas else None
 
-    def formulas_along(self, key):
+    def formulas_along(self, key, part=""):
         """Formulas of a limit that any stretch of a motion can be held against; none: there are none here."""
         if key in LOADED and self.form != "open" and self.forces and not self.forces.is_constant():
             return []
-        return [f for origin in rows_of(key) for f in self.as_found.formulas(origin)]
+        return [f for origin in rows_of(key, part) for f in self.as_found.formulas(origin)]
 
     def keep_along_laws(self, key, stretches):
         """Along laws and dwells. False: nothing here looks at the limit there."""

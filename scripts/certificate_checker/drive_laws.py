@@ -15,26 +15,13 @@ class Span:
         self.stretch, self.begin, self.end, self.way, self.constant = stretch, begin, end, way, constant
 
 
-class Formula:
-    """A formula that is enclosed, multiplied by numbers."""
-
-    def __init__(self, own):
-        self.own = own
-
-    def __add__(self, other):
-        return Formula(self.own + other.own)
-
-    def __mul__(self, other):
-        return Formula(self.own * (other.own if isinstance(other, Formula) else constant(other)))
-
-
 def largest_along(span, drive, formula, sign):
     """(low, high) around the largest of sign * formula(torque, n) along a law or a dwell."""
     def along(motion):
         def value(v):
             _, slope, bend = motion(v)
             torque = drive.acceleration * bend + drive.velocity * slope + span.constant
-            return sign * formula(Formula(torque), Formula(drive.speed * slope)).own
+            return sign * formula(torque, drive.speed * slope)
         return value
 
     pieces = [(0, width, along(motion)) for width, motion in motion_along(span.stretch, 3)]

@@ -41,8 +41,6 @@ class MotorRows:
             self.square += multiplier
             return None
         rule = next((rule for rule in self.rules if rule.is_meant(origin)), None)
-        if rule is None and self.drive.at_rest:  # that of the last speed
-            return self.bound.leave_out(origin.key, multiplier)
         if rule is None:
             raise Refuted(f"{origin}: the scene has no such rule")
         if self.drive.at_rest:
@@ -51,7 +49,7 @@ class MotorRows:
 
     def add_at_rest(self, rule, multiplier):
         """Wherever the row is: the torque at rest may be taken at any place where no motion relieves it."""
-        largest = self.drive.largest_at_rest(1 if rule.by_torque > 0 else -1)
+        largest = self.drive.largest_at_rest(rule.sign)
         if largest is None:
             return self.bound.leave_out(rule.key + RELIEVED, multiplier)
         return self.bound.use(Row.over_runs(rule.key, [], Fraction(0), rule.scale, (rule.most - largest) / rule.scale), multiplier)

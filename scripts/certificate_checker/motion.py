@@ -10,7 +10,7 @@ from .conditions import IMPLIED, Conditions
 from .exact import (
     JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral, largest,
     largest_magnitude, number, product, root, shifted, value_at)
-from .motion_bounds import keep_bounds, keeps, lost_area
+from .motion_bounds import keep_bounds, lost_area
 from .laws import is_same
 from .prescribed import peak_of
 from .rational import Fraction
@@ -213,15 +213,6 @@ class Curve:
                 if own > term.cap * (1 + KEPT + relaxed):
                     raise Refuted(f"the limit of {name} is {float(term.cap)}, the motion reaches {float(own)}")
                 kept.append(name)
-        for order, cap, key in self.problem.motion_caps:
-            own = largest_magnitude(self.along(order))[1]
-            if own > cap * (1 + KEPT + relaxed):
-                raise Refuted(f"{key}: the motion reaches {float(own / cap)} of it")
-            for law in [s for s in self.problem.stretches if s.kind == "law"]:
-                for sign in (1, -1):
-                    if not keeps(law, order, sign, cap * (1 + KEPT + relaxed), law.begin, law.end):
-                        raise Refuted(f"{key} is passed along a law")
-            kept.append(key)
         return kept + self.keep_strokes(relaxed) + keep_bounds(self.problem, self, relaxed)
 
     def keep_strokes(self, relaxed):

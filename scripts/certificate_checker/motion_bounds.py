@@ -23,10 +23,10 @@ class MotionBound:
 
     of_cam = False  # of the motion of the cam, where that of the output is prescribed
 
-    def __init__(self, key, order, sign, most, begin, end, stretch=None):
+    def __init__(self, key, order, sign, most, begin, end, stretch=None, scale=None):
         self.key, self.order, self.sign, self.most, self.begin, self.end = key, order, sign, sign * most, begin, end
         self.stretch = stretch
-        self.scale = max(abs(most), TYPICAL[order] * (stretch.scale(order) if stretch else 1))
+        self.scale = scale or max(abs(most), TYPICAL[order] * (stretch.scale(order) if stretch else 1))
 
     def is_meant(self, rule, order, sign, stretch):
         return (rule, order, sign) == (self.key, self.order, self.sign) and self.stretch in (None, stretch)

@@ -49,7 +49,7 @@ class Origin:
         return [sign for sign in (1, -1) if self.which is None or self.which.get(name, sign) == sign]
 
 
-def rows_of(key):
-    """All rows of a limit: those of a pressure angle to either side."""
+def rows_of(key, part=""):
+    """All rows of a limit or of a part of it: those of a pressure angle to either side."""
     signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
-    return [Origin("limits." + key, 1 if sign else None, sign) for sign in signs]
+    return [Origin("limits." + key, 1 if sign else None, sign, part) for sign in signs]

@@ -104,7 +104,7 @@ def judge_passed_limit(problem, proof, report):
     passed, unknown = False, None
     for side in sides:
         try:
-            passed = passed or passes(problem, rule, at, side)
+            passed = passed or passes(problem, rule, origin.part, at, side)
         except Unverified as fault:
             unknown = fault
     if not passed:
@@ -116,15 +116,14 @@ def judge_passed_limit(problem, proof, report):
 def limits_at(problem, rule, at, stretch):
     """[(order, sign, most, scale)] of a limit at a place where the motion is prescribed: sign * y^(order) <= most. Peaks beside splines
     are those of the splines."""
-    caps = [(order, cap) for order, cap, key in problem.motion_caps if key == rule]
-    caps += [(t.order, t.cap * stretch.scale(t.order)) for t in problem.terms if t.kind == "peak" and t.cap is not None and
+    caps = [(t.order, t.cap * stretch.scale(t.order)) for t in problem.terms if t.kind == "peak" and t.cap is not None and
              not problem.runs and stretch.kind == "law" and rule in [f"limits.{n}" for n, order in ORDERS.items() if order == t.order]]
     return [(order, sign, cap, cap) for order, cap in caps for sign in (1, -1)] + [
         (b.order, b.sign, b.most, b.scale) for b in problem.bounds if b.key == rule and b.stretch in (None, stretch) and
         b.begin - SAME_PLACE <= at <= b.end + SAME_PLACE]
 
 
-def passes(problem, rule, at, side):
+def passes(problem, rule, part, at, side):
     """Whether a limit is certainly passed at a place."""
     state, stretch = state_at(problem, at, side)
     if problem.drive and rule.startswith("limits.motor_"):
@@ -141,7 +140,7 @@ def passes(problem, rule, at, side):
         return any(ends_of(sign * state[order])[0] > most for order, sign, most in own)
     if problem.cam is None or problem.cam.rules is None or not problem.cam.judged:
         raise Unverified(f"{rule} along a law")
-    found = [] if problem.cam.searched else problem.cam.formulas_along(rule.removeprefix("limits."))
+    found = [] if problem.cam.searched else problem.cam.formulas_along(rule.removeprefix("limits."), part)
     if not found:
         raise Unverified(f"{rule} along a law")
     problem.cam.as_found.load = constant(problem.cam.forces.load_at(at, side) if problem.cam.forces else 0)

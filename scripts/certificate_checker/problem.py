@@ -2,7 +2,7 @@
 """The problem, from the scene alone.
 
 Theorem. The motions of the scene are the splines of `runs` that satisfy their conditions, joined with the laws and dwells of `stretches`; the
-objective is the sum of weight * term over `terms` plus what dimensions cost, and the limits are `terms` with a cap, `motion_caps`, `bounds`
+objective is the sum of weight * term over `terms` plus what dimensions cost, and the limits are `terms` with a cap, `bounds`
 and those of the cam, the drive and the elastic follower. Assumption: the scene has passed known.py. Angles and units meet exactly, or with
 pi to 35 digits.
 """
@@ -13,7 +13,7 @@ from .enclosures import PI_ITSELF
 from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
 from .laws import REVERSED, ends_of_law, is_same, polynomial_between, turns_back
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
-from .motion_bounds import area_reference, motion_bounds
+from .motion_bounds import MotionBound, area_reference, motion_bounds
 from .rational import Fraction
 from .runs import Peak, Run, Stretch
 from .spaces import CamSpace, Space
@@ -55,7 +55,6 @@ class Problem:
         self.to_cam = None  # s = w_0 y + w_1 y' + w_2 y'' is the cam's motion, where that of the output is prescribed
         if self.prescribes_output():
             self.prescribe_output(scene["dynamics"])
-        self.motion_caps = []  # (order, cap, key): caps in time on a program's motion itself
         self.bounds = motion_bounds(self)
         self.references = references
         self.terms = self.terms_of(references)
@@ -637,7 +636,8 @@ class Problem:
                 cap = None  # a bound on every stretch (made_caps)
             if cap is not None and (error or (self.type == "program" and key != name)):
                 cap -= error
-                self.motion_caps.append((order, cap, "limits." + key))
+                whole = Fraction(0), self.stretches[-1].end * self.copies
+                self.bounds += [MotionBound("limits." + key, order, sign, sign * cap, *whole, scale=cap) for sign in (1, -1)]
                 cap = None
             if weight or cap is not None:
                 terms.append(Peak("peak", order, weight, references[name], cap))

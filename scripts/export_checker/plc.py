@@ -3,7 +3,7 @@
 import copy
 
 from certificate_checker.drive import Drive
-from certificate_checker.exact import KEPT, Refuted, Unverified, derivative, largest, largest_magnitude, number, shifted
+from certificate_checker.exact import KEPT, Refuted, Unverified, derivative, largest, number, shifted
 from certificate_checker.known import name_what_is_unknown
 from certificate_checker.motion import Curve
 from certificate_checker.rational import Fraction
@@ -125,9 +125,6 @@ def keep_beside_splines(problem, pieces, per_x, lift, slack):
         for turn in range(problem.copies):
             by = turn * problem.stretches[-1].end
             own = [(p, w, at) for p, w, at in table_between(pieces, stretch.begin + by, stretch.end + by, per_x, lift, Fraction(0))]
-            for order, cap, key in problem.motion_caps:
-                if largest_magnitude([(derivative(p, order), w) for p, w, _ in own])[1] > cap * (1 + KEPT + slack):
-                    raise Refuted(f"{key} is passed from {float(stretch.begin * per_x):.6g} deg")
             for bound in problem.bounds:
                 inside = [(p, w) for p, w, at in own if bound.begin < at + w and at < bound.end]
                 if bound.stretch in (None, stretch) and inside and \
@@ -138,7 +135,7 @@ def keep_beside_splines(problem, pieces, per_x, lift, slack):
 
 def judge_limits(outcome, problem, design, pieces, per_x, lift, orders):
     """Of the motion and of a motor; those of a cam are not of an electronic one."""
-    limited = problem.drive or problem.bounds or problem.motion_caps or any(term.cap is not None for term in problem.terms)
+    limited = problem.drive or problem.bounds or any(term.cap is not None for term in problem.terms)
     if not limited:
         outcome.limits = "none given on the motion"
         return

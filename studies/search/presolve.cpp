@@ -77,9 +77,9 @@ DualityProof proof_of(const RestConflict& conflict) {
     proof.rows = {fmt::format("{} {}, x = {:.17g}, y = {:.17g}", conflict.key,
                               conflict.where.at_rest ? "at rest" : "of the prescribed motion",
                               conflict.where.x, conflict.where.y)};
-    RowOrigin origin{conflict.key, {}, conflict.where.x, Side::right, true};
-    origin.fields.key = conflict.key;
-    proof.origins = {std::move(origin)};
+    RowOrigin origin{conflict.key, {}, conflict.where.x, Side::right, true, {}, 0, conflict.fields};
+    if (origin.fields.key.empty()) origin.fields.key = conflict.key;
+    proof.origins = {origin};
     proof.matrix.resize(1, 1);
     proof.matrix.insert(0, 0) = 1.0;
     proof.lower = Eigen::VectorXd::Constant(1, conflict.violation);
@@ -185,7 +185,7 @@ std::optional<RestConflict> rest_conflict(const CamModel& model, double toleranc
             const double value = rule->evaluate({known.x, {known.y, 0.0, 0.0, 0.0}}, {}).value;
             const double violation = value / rule->scale();
             if (violation > tolerance && (!worst || violation > worst->violation))
-                worst = RestConflict{rule->name(), known, violation};
+                worst = RestConflict{rule->name(), known, violation, rule->origin().fields};
         }
     }
     return worst;
@@ -201,7 +201,7 @@ bool settle_prescribed(Solution& solution, CamModel& model) {
         const double violation = std::isfinite(maximum.value) ? maximum.value / scale : most_violation;
         if (!(violation > tolerance) || (worst && violation <= worst->violation)) return;
         const double y = motion.at(maximum.at, maximum.side).derivative[0];
-        worst = RestConflict{rule->name(), {maximum.at, y, false}, violation};
+        worst = RestConflict{rule->name(), {maximum.at, y, false}, violation, rule->origin().fields};
     };
     for (const PlacedRule& rule : model.rules) {
         if (!rule->parameters().empty()) continue;

@@ -19,6 +19,7 @@ struct RestConflict {
     std::string key;  ///< of the limit
     KnownPoint where;
     double violation = 0.0;  ///< relative to the limit
+    RowFields fields = {};   ///< of the violated row; without a key: that of the limit
 };
 
 /// The worst one. Only limits that are not convex (the others are proved by duality), know no higher

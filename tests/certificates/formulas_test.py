@@ -2,8 +2,10 @@
 """The checker's formulas against what is known of them from elsewhere: positions alone, or differential equations in steps."""
 import math
 import sys
+import tempfile
 import tomllib
 from fractions import Fraction
+from pathlib import Path
 from types import SimpleNamespace
 
 import checker
@@ -12,8 +14,10 @@ from plane_samples import guide_of
 sys.path.insert(0, str(checker.ROOT / "scripts"))
 from certificate_checker import enclosures  # noqa: E402
 from certificate_checker.bound import Bound  # noqa: E402
+from certificate_checker.exact import Unverified  # noqa: E402
 from certificate_checker.laws import constant  # noqa: E402
 from certificate_checker.inverse_rules import InverseRules  # noqa: E402
+from certificate_checker.origins import Origin, read_certificate  # noqa: E402
 from certificate_checker.problem import Problem  # noqa: E402
 from certificate_checker.remote_rules import RemoteRules  # noqa: E402
 from certificate_checker.spatial_rules import SpatialRules  # noqa: E402
@@ -156,8 +160,30 @@ def narrow_segment():
     return [] if abs(constant_part) + residual <= supremum[3] else [f"y''' of a narrow segment: {float(residual)} of {float(supremum[3])}"]
 
 
+def old_format():
+    """A certificate without the fields of its rows is named, not judged."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "certificate.json"
+        path.write_text('{"verdict": "optimal"}')
+        try:
+            read_certificate(path)
+        except Unverified as gap:
+            return [] if "certificate.json of format 1: this checker reads format 2" in str(gap) else [f"old format: {gap}"]
+    return ["old format: a certificate without fields is read"]
+
+
+def whole_limits():
+    """A row that says which of several rules it is of has that one alone; a limit all of them."""
+    stations = [(flank, part) for part in (0, 1, 2) for flank in (1, -1)]
+    whole, station = Origin("limits.undercut_margin"), Origin("limits.undercut_margin", which={"station": 3.0})
+    torque = Origin("limits.torque_max_nm", which={"torque": -1.0})
+    found = [whole.chosen("station", stations), station.chosen("station", stations), torque.signs("torque"),
+             torque.chosen("load_speed", "abc", 0)]
+    return [] if found == [stations, [(-1, 1)], [-1], "a"] else [f"rows of a limit: {found}"]
+
+
 def main():
-    faults = [fault for test in (tappet, feeder, barrel, slide, narrow_segment) for fault in test()]
+    faults = [fault for test in (tappet, feeder, barrel, slide, narrow_segment, old_format, whole_limits) for fault in test()]
     return checker.end(faults)
 
 

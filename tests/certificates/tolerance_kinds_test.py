@@ -17,7 +17,7 @@ SCENES = {
     "cylinder_slide": ("slope_um_deg = 0.5\nroller_radius_mm = 0.01\n", ()),
     "inverse_feeder": ("slope_um_deg = 0.5\nroller_radius_mm = 0.01\npin_angle_deg = 0.01\n", ()),
     "linear_press": (LENGTHS, ()),
-    "tappet_75": ("slope_mdeg_deg = 0.5\nlever_arm_mm = 0.01\n", ()),
+    "tappet_75": ("slope_um_deg = 0.5\nlever_arm_mm = 0.01\n", ()),
     "cam_drdrd": (LENGTHS, ("limits.acceleration=7.5",)),
 }
 
