@@ -217,7 +217,7 @@ class AskedResponse {
     }
     /// The event counts from 0.
     [[nodiscard]] static std::map<std::string, double> which(Setting setting) {
-        return {{"speed_rpm", setting[0] / units::revolution_per_minute}, {"event", setting[1]}};
+        return {{"rpm", setting[0] / units::revolution_per_minute}, {"event", setting[1]}};
     }
 
  private:

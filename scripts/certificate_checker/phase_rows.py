@@ -70,7 +70,7 @@ def add_phase_row(bound, origin, multiplier):
     problem, rule = bound.problem, origin.key
     if problem.train and rule.startswith(("residual", "limits.residual_")):
         train = problem.train
-        time = min(max(train.time_at(number(origin.which["speed_rpm"])), train.times[0]), train.times[1])  # any of the range will do
+        time = min(max(train.time_at(number(origin.which["rpm"])), train.times[0]), train.times[1])  # any of the range will do
         k = min(range(len(problem.runs)), key=lambda k: abs(problem.runs[k].stretches[-1].end - origin.at))  # what it is after
         place = next(i for i, term in enumerate(problem.terms) if term.kind == "residual")
         reference = problem.terms[place].reference

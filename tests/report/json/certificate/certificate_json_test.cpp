@@ -132,7 +132,7 @@ TEST(CertificateJson, AnOpenSideIsNull) {
     EXPECT_EQ(json["how_to_check"], how_to_check());
 }
 
-TEST(CertificateJson, RowsHaveFieldsBesideTheirWords) {
+TEST(CertificateJson, RowsHaveFieldsAndWords) {
     Certificate certificate = test::sample_solution().certificate;
     certificate.proof->origins[0].fields = {"feed", "limits.torque_max_nm", "", {{"load_speed", 2.0}}, {}};
     const auto json = nlohmann::json::parse(certificate_json(certificate));
