@@ -224,14 +224,7 @@ class Cam:
                 self.lift / self.width[1] / number(float(self.beta[0]))
         if not self.direct and self.searched:
             return None
-        formulas = self.formulas_at(origin, at)
-        if len(formulas) > 1:  # which of several stations is not said: the one that the motion comes nearest to
-            if bound.curve is None:
-                return None
-            values = [bound.curve.value_at(k, at, side, order, bound.curve.cam_pieces()) for order in range(3)]
-            place = [enclosures.interval(v)[0] for v in values] + [0] + self.found_parts()
-            formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
-        for formula in formulas[:1]:
+        for formula in self.formulas_at(origin, at)[:1]:
             row = self.linear_row(bound, k, run, name, formula, at, side)
             return (row, 1 / self.row_size()) if row is not None else self.row_of_arm(bound, k, run, name, origin, at, formula)
         return None
