@@ -549,7 +549,8 @@ struct LobeSide {
 /// Ramps above or below the checking point, at `checking` of the follower.
 LobeSide drawn_side(Draw& draw, double checking, const char* name, SceneText& text) {
     LobeSide side;
-    const double height_mm = rounded(draw.between(0.2, 0.5), 0.01);
+    // The checking point lies where the ramp has its velocity: above a third of its height.
+    const double height_mm = rounded(draw.between(0.2, std::min(0.5, 2.9e3 * checking)), 0.01);
     const double velocity_mm_deg = rounded(draw.between(0.008, 0.016), 0.001);
     side.height = height_mm * 1e-3;
     side.velocity = velocity_mm_deg * 1e-3 / degree_angle;
@@ -559,7 +560,7 @@ LobeSide drawn_side(Draw& draw, double checking, const char* name, SceneText& te
     ramp.set("velocity_mm_deg", velocity_mm_deg);
     if (checking > side.height) {
         const double most = side.before_checking / degree_angle;
-        const double end_deg = rounded(draw.between(0.4, 0.9) * most, 0.001);
+        const double end_deg = draw.between(0.4, 0.9) * most;
         ramp.set("end_deg", end_deg);
         side.before_checking = end_deg * degree_angle;
     }
@@ -576,7 +577,7 @@ Draft valve_draft(Draw& draw) {
     motion.set("type", quoted("valve"));
     const double lift_mm = rounded(draw.between(7.0, 12.0), 0.1),
                  lash_mm = rounded(draw.between(0.0, 0.25), 0.01),
-                 checking_mm = rounded(draw.between(0.05, 0.2), 0.01), duration = draw.whole(220, 280);
+                 checking_mm = rounded(draw.between(0.1, 0.2), 0.01), duration = draw.whole(220, 280);
     motion.set("lift_mm", lift_mm);
     if (lash_mm > 0.0) motion.set("lash_mm", lash_mm);
     motion.set("checking_height_mm", checking_mm);

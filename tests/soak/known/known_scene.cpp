@@ -22,6 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr double roundings = 32.0;   // of each number, on its way from the file to a row
 constexpr double same_peak = 1e-11;  // relative: extremes that are one peak but for rounding
 
 VectorXd drawn_direction(Draw& draw, Index size) {
@@ -505,7 +506,7 @@ void Posing::answer_optimum() {
     const double reach = 2.0 * std::sqrt(static_cast<double>(draft_.space.size()));
     sizes += draft_.space.sensitivity(sum, motion_);
     answer_.objective = scale;
-    answer_.error = 8.0 * rounding * sizes + dual * reach + slack;
+    answer_.error = roundings * rounding * sizes + dual * reach + slack;
     answer_.condition = std::max(1.0, sizes / scale);
     answer_.growth = growth(2.0 * lipschitz);
     if (answer_.growth >= 0.0) answer_.growth += sizes;
@@ -540,7 +541,7 @@ bool Posing::answer_contradiction(double shift) {
     }
     const double gap = heaviest->multiplier * moved;
     const double error =
-        8.0 * rounding * sizes + dual * 2.0 * std::sqrt(static_cast<double>(draft_.space.size()));
+        roundings * rounding * sizes + dual * 2.0 * std::sqrt(static_cast<double>(draft_.space.size()));
     answer_.condition = std::max(1.0, sizes / (heaviest->multiplier * heaviest->size));
     answer_.feasible = shift <= 0.0;
     answer_.margin = std::abs(gap) / total;
@@ -606,7 +607,7 @@ bool Posing::pose(bool feasible, double shift) {
             answer_.below += 1e3 * rounding / closest_ * answer_.objective * answer_.condition;
             return true;
         }
-        return answer_.error < 1e-9 * answer_.objective;
+        return answer_.error < 1e-8 * answer_.objective;
     }
     return answer_contradiction(shift);
 }

@@ -19,7 +19,8 @@ std::string band_of(double condition) {
 }
 
 std::string class_of(const KnownScene& scene) {
-    if (!scene.change.empty()) return scene.change;
+    // One that is extreme from the start may have moved numbers as well.
+    if (!scene.change.empty()) return scene.change.substr(0, scene.change.find(", "));
     // Those near the impossible by the decade of their distance.
     if (scene.answer.margin > 0.0 && scene.answer.margin < 1e-7)
         return fmt::format("1e{} from impossible",
