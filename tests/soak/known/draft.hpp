@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// A scene before its answer: the motions that it allows, what it may cost and what may limit it.
+// known_scene.hpp chooses a motion, bounds and weights for which that motion is the optimum.
+#pragma once
+
+#include "tests/soak/draw.hpp"
+#include "tests/soak/known/piecewise_space.hpp"
+#include "tests/soak/scenes/scene_text.hpp"
+
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace camopt::soak {
+
+inline constexpr double degree_angle = std::numbers::pi / 180.0;
+
+/// What turns normalised numbers (lifts, x) into those of a scene.
+struct Units {
+    double lift = 1e-3;   ///< m or rad
+    double unit = 1.0;    ///< rad of the cam for x = 1
+    double speed = 0.0;   ///< rad/s; 0: none
+    bool swings = false;  ///< the lift is an angle
+};
+
+/// A spelling of a derivative of this order: the end of its key, and what a normalised value is multiplied
+/// by.
+struct Spelling {
+    std::string ending;
+    double factor = 1.0;
+};
+/// `normal`: the factor of the spelling without a unit.
+[[nodiscard]] Spelling drawn_spelling(Draw& draw, const Units& units, int order, double normal);
+inline constexpr const char* order_names[] = {"displacement", "velocity", "acceleration", "jerk"};
+
+/// Neighbouring pieces of one spline of the scene.
+struct Run {
+    int first = 0, pieces = 0;
+    double begin = 0.0, end = 0.0;     ///< x
+    double angle = 1.0, height = 1.0;  ///< of its stroke, x and lifts: what its peaks are measured by
+    double least = 0.0, most = 1.0;    ///< lifts: the range of its stroke
+    bool rises = true;
+    int table = -1;  ///< its place among the tables motion.segments; −1: the motion itself
+};
+
+/// A part of the objective: weight · (largest |combination + constant|) / reference.
+struct CostTerm {
+    std::string key;
+    std::vector<Combination> of_run;
+    double constant = 0.0;
+    double reference = 1.0;
+};
+
+/// A bound of a combination along all runs, in [limits]: written as number = factor · bound.
+struct LimitDraft {
+    enum class Side { both, above, below };
+    std::string key;     ///< with its unit
+    std::string member;  ///< "": the number itself; "min", "max"
+    Side side = Side::both;
+    std::vector<Combination> of_run;
+    double constant = 0.0;
+    double factor = 1.0;
+    double widening =
+        0.0;  ///< of a bound for all cams within tolerances: the drawing's motion keeps so far away
+    double at_rest_least = 0.0, at_rest_most = 0.0;  ///< of the combination where the motion rests
+    double must_exceed = -1e300;                     ///< a bound that is written has to
+};
+
+struct Draft {
+    std::string kind;    ///< of the scene, for the table
+    std::string change;  ///< what is extreme about it; empty: nothing
+    SceneText text;
+    PiecewiseSpace space{3};
+    Units units;
+    std::vector<Run> runs;
+    std::vector<CostTerm> terms;
+    std::vector<LimitDraft> limits;
+    double length = 1.0;        ///< x of the whole motion
+    double resting_area = 0.0;  ///< ∫ y dx outside the splines
+    bool may_count_rms = true;
+    bool may_pass_points = true;
+    bool monotone = false;               ///< the motion has to be
+    std::string reference_law;           ///< empty: numbers
+    std::array<double, 4> made_error{};  ///< of y and its derivatives, x: tolerances
+    int continuity = 2;
+};
+
+/// Class by its number.
+inline constexpr int known_kinds = 8;
+[[nodiscard]] const char* known_kind_name(int kind);
+/// `extreme`: units 1e±9, segment widths 1 : 1e4.
+[[nodiscard]] Draft drawn_draft(Draw& draw, int kind, bool extreme);
+
+}  // namespace camopt::soak

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "tests/soak/known/judge.hpp"
+
+#include "core/errors.hpp"
+#include "input/loading/load_scene.hpp"
+#include "studies/search/planned_solve.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+namespace camopt::soak {
+
+namespace {
+
+/// Relative: what a verdict optimal promises beyond the gap that it states.
+constexpr double accuracy = 1e-8;
+/// Parts of a row's size: motions that violate rows by less are taken for feasible (solver.tolerance 1e-9, in
+/// the sizes of camopt's rows, which are smaller than those here by up to a hundred).
+constexpr double within_tolerance = 1e-7;
+
+Judged of_optimum(const KnownAnswer& answer, const Certificate& found) {
+    Judged judged;
+    if (found.verdict == Verdict::infeasible) {
+        judged.judgement = std::isinf(answer.above) ? Judgement::right : Judgement::wrong;
+        judged.why = fmt::format("infeasible; known optimum {:.17g}", answer.objective);
+        return judged;
+    }
+    const double stated = found.gap.value_or(0.0) * std::max(1.0, std::abs(found.objective));
+    const double near = std::max(accuracy * std::abs(answer.objective), stated) + answer.error;
+    const double off = found.objective - answer.objective;
+    if (found.lower_bound && *found.lower_bound > answer.objective + answer.above + answer.error +
+                                                      1e-12 * std::abs(answer.objective))
+        judged.why = fmt::format("bound {:.17g} above the known optimum {:.17g}", *found.lower_bound,
+                                 answer.objective);
+    else if (has_feasible_motion(found.verdict) && off < -near - answer.below)
+        judged.why = fmt::format("objective {:.17g} below the known optimum {:.17g} by {:.2e}",
+                                 found.objective, answer.objective, -off);
+    else if (found.verdict == Verdict::optimal && off > near + answer.above)
+        judged.why = fmt::format("objective {:.17g} above the known optimum {:.17g} by {:.2e}",
+                                 found.objective, answer.objective, off);
+    else
+        judged.judgement = found.verdict == Verdict::optimal ? Judgement::right : Judgement::open;
+    return judged;
+}
+
+Judged of_contradiction(const KnownAnswer& answer, const Certificate& found) {
+    Judged judged;
+    const bool moves = has_feasible_motion(found.verdict);
+    if (answer.feasible)
+        judged.judgement = moves                                  ? Judgement::right
+                           : found.verdict == Verdict::infeasible ? Judgement::wrong
+                                                                  : Judgement::open;
+    else
+        judged.judgement = found.verdict == Verdict::infeasible ? Judgement::right
+                           : moves                              ? Judgement::wrong
+                                                                : Judgement::open;
+    if (!answer.feasible && moves && answer.margin < within_tolerance) judged.judgement = Judgement::right;
+    if (judged.judgement != Judgement::right)
+        judged.why = fmt::format("{}; known: {} by {:.2e} of the rows' sizes", name_of(found.verdict),
+                                 answer.feasible ? "feasible" : "infeasible", answer.margin);
+    return judged;
+}
+
+}  // namespace
+
+const char* name_of(Judgement judgement) {
+    static constexpr const char* names[] = {"right", "open", "wrong", "refused"};
+    return names[static_cast<int>(judgement)];
+}
+
+Judged judged(const KnownScene& scene) {
+    const auto begin = std::chrono::steady_clock::now();
+    Judged found;
+    try {
+        const Solution solution = solve_without_explaining(scene_of_toml(scene.text, {}, "known"), {});
+        const Certificate& certificate = solution.certificate;
+        const bool optimum = scene.answer.feasible && scene.answer.margin == 0.0;
+        found = optimum ? of_optimum(scene.answer, certificate) : of_contradiction(scene.answer, certificate);
+        found.verdict = name_of(certificate.verdict);
+        if (found.judgement == Judgement::open)
+            found.why += fmt::format(" ({}: {}, violation {:.2e})", found.verdict,
+                                     name_of(certificate.reason), certificate.worst_violation);
+    } catch (const InputError& error) {
+        found.judgement = Judgement::refused;
+        found.verdict = "refused";
+        found.why = error.what();
+    } catch (const std::exception& error) {
+        found.judgement = Judgement::wrong;
+        found.verdict = "exception";
+        found.why = error.what();
+    }
+    found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return found;
+}
+
+}  // namespace camopt::soak
