@@ -301,8 +301,8 @@ CAMOPT_C_API camopt_error camopt_motion_at(const camopt_solution* solution, doub
 /// a train the motion itself.
 CAMOPT_C_API camopt_error camopt_output_at(const camopt_solution* solution, double x, double derivatives[4]);
 
-/// camopt_motion_at at `count` places; any of the buffers of `count` numbers may be NULL. Nothing is written where
-/// one x is outside.
+/// camopt_motion_at at `count` places; any of the buffers of `count` numbers may be NULL. Nothing is written
+/// where one x is outside.
 CAMOPT_C_API camopt_error camopt_motion_at_all(const camopt_solution* solution, const double* x, size_t count,
                                                double* y, double* dy, double* d2y, double* d3y);
 
