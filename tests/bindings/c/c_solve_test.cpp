@@ -244,7 +244,7 @@ TEST(CSolve, NamesTheNumbersOfTheCam) {
 }
 
 /// The cam goes further by what the return spring of the train bends.
-TEST(CSolve, GivesTheOutputAsWellAsItsCam) {
+TEST(CSolve, GivesOutputAndCam) {
     std::array<double, 4> cam{}, output{};
     const CSolution prescribed = c_solved(c_scene_of_file("splinedyne_slide"));
     EXPECT_OK(camopt_motion_at(prescribed.get(), 1.0, cam.data()));
