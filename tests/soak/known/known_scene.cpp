@@ -633,8 +633,9 @@ bool Posing::pose(bool feasible, double shift) {
         if (closest_ < 1.0) {
             // Both displacements are rounded: the slope between them is known to rounding / distance.
             draft_.change = "set points close together";
+            // There may be no motion with that slope, and the optimum may be far above.
             answer_.growth = -1.0;
-            answer_.above += 1e3 * rounding / closest_ * answer_.objective * answer_.condition;
+            answer_.above = std::numeric_limits<double>::infinity();
             answer_.below += 1e3 * rounding / closest_ * answer_.objective * answer_.condition;
             return true;
         }
