@@ -550,7 +550,8 @@ struct LobeSide {
 LobeSide drawn_side(Draw& draw, double checking, const char* name, SceneText& text) {
     LobeSide side;
     // The checking point lies where the ramp has its velocity: above a third of its height.
-    const double height_mm = rounded(draw.between(0.2, std::min(0.5, 2.9e3 * checking)), 0.01);
+    double height_mm = rounded(draw.between(0.2, std::min(0.5, 2.9e3 * checking)), 0.01);
+    if (std::abs(height_mm - 1e3 * checking) < 5e-3) height_mm -= 0.01;  // nor at its end
     const double velocity_mm_deg = rounded(draw.between(0.008, 0.016), 0.001);
     side.height = height_mm * 1e-3;
     side.velocity = velocity_mm_deg * 1e-3 / degree_angle;

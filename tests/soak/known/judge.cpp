@@ -17,8 +17,8 @@ namespace {
 
 /// Relative: what a verdict optimal promises beyond the gap that it states.
 constexpr double accuracy = 1e-8;
-/// Parts of a row's size: motions that violate rows by less are taken for feasible (solver.tolerance 1e-9, in
-/// the sizes of camopt's rows, which are smaller than those here by up to a hundred).
+/// Parts of a row's scale: motions that violate all rows by less may be taken for feasible (solver.tolerance
+/// 1e-9; the scales of camopt's rows are not exactly those of known_scene.cpp).
 constexpr double within_tolerance = 1e-7;
 
 Judged of_optimum(const KnownAnswer& answer, const Certificate& found) {

@@ -99,11 +99,14 @@ struct ActiveRow {
     std::size_t owner = 0;
     VectorXd gradient;
     double sign = 1.0;
-    double size = 1.0;  ///< of its numbers: |value| + |x · slope|
-    double gap = 0.0;   ///< to the bound, by rounding
+    double size = 1.0;   ///< of its numbers: |value| + |x · slope|
+    double scale = 1.0;  ///< of its quantity along the whole motion
+    double gap = 0.0;    ///< to the bound, by rounding
     double preference = 1.0;
     bool free = false;  ///< an equation
     double multiplier = 0.0;
+
+    std::size_t part = 0;  ///< of a point: which of its values
 
     [[nodiscard]] bool is_cost() const { return of == Of::term || of == Of::area || of == Of::rms; }
 };
@@ -116,10 +119,14 @@ struct Corridor {
 };
 
 struct Point {
+    struct Value {
+        int order = 0;
+        double value = 0.0;
+        bool used = false;
+    };
     std::size_t run = 0;
     double x = 0.0;
-    std::vector<std::pair<int, double>> values;  ///< order, value
-    bool used = false;
+    std::vector<Value> values;
     double twin_distance = 0.0;  ///< from the point before it; 0: it is no twin
 };
 
@@ -142,11 +149,11 @@ class Posing {
     void add_corridors();
     void add_points();
     void add_twin(Point point, int piece);
-    [[nodiscard]] std::optional<Corridor> corridor_at(const Extreme& at, int order, bool above) const;
+    [[nodiscard]] std::optional<Corridor> corridor_at(const Extreme& at, int order, bool above);
     [[nodiscard]] bool balance(bool feasible);
     void answer_optimum();
     [[nodiscard]] bool answer_contradiction(double shift);
-    [[nodiscard]] double growth(double lipschitz) const;
+    [[nodiscard]] double growth(double lipschitz);
     [[nodiscard]] bool stays_within_strokes() const;
     [[nodiscard]] bool is_monotone() const;
     [[nodiscard]] SceneText written() const;
@@ -158,7 +165,8 @@ class Posing {
 
     Draw& draw_;
     Draft draft_;
-    bool edges_;            ///< narrow corridors, set points close together
+    bool edges_;            ///< set points close together
+    bool narrow_ = false;   ///< narrow corridors
     double closest_ = 1.0;  ///< distance of two set points, x
     VectorXd motion_;
     std::vector<ActiveRow> rows_;
@@ -299,6 +307,7 @@ void Posing::add_limits() {
             if (row.gradient.isZero(0.0)) continue;
             row.sign = high ? 1.0 : -1.0;
             row.size = size_of(limit.of_run[run], one, limit.constant);
+            row.scale = std::max(most, -least);
             row.gap = std::abs(edge - (limit.side == Side::both ? std::abs(value) : value));
             row.preference = 2.0 * draw_.between(0.5, 1.0);
             add(std::move(row));
@@ -306,7 +315,7 @@ void Posing::add_limits() {
     }
 }
 
-std::optional<Corridor> Posing::corridor_at(const Extreme& at, int order, bool above) const {
+std::optional<Corridor> Posing::corridor_at(const Extreme& at, int order, bool above) {
     const PiecewiseSpace& space = draft_.space;
     const Run& run = run_of(at.piece);
     const double sign = above ? 1.0 : -1.0;
@@ -319,14 +328,16 @@ std::optional<Corridor> Posing::corridor_at(const Extreme& at, int order, bool a
     }
     const double slope =
         order == space.degree() ? 0.0 : space.row(derivative_alone(order + 1), at.piece, at.x).dot(motion_);
+    // Where the spline joins a law or another one, the far side counts too.
+    const double inset = draft_.runs.size() > 1 || run.table >= 0 ? 1e-3 * (run.end - run.begin) : 0.0;
     double reach = space.width(at.piece) * draw_.sized(0.05, 1.5);
-    const bool narrow = edges_ && draw_.chance(0.1);
+    const bool narrow = narrow_ && draw_.chance(0.3);
     if (narrow) reach = draw_.sized(1e-11, 1e-6);
     for (int tries = 0; tries < 8; ++tries, reach *= 0.4) {
         if (order < space.degree()) {
             const bool onward = sign * slope < 0.0;
-            corridor.from = onward ? at.x : std::max(run.begin, at.x - reach);
-            corridor.to = onward ? std::min(run.end, at.x + reach) : at.x;
+            corridor.from = onward ? at.x : std::max(run.begin + inset, at.x - reach);
+            corridor.to = onward ? std::min(run.end - inset, at.x + reach) : at.x;
         }
         if (corridor.to - corridor.from < (narrow ? 1e-12 : 1e-6)) return std::nullopt;
         double edge = -std::numeric_limits<double>::infinity();
@@ -347,6 +358,12 @@ std::optional<Corridor> Posing::corridor_at(const Extreme& at, int order, bool a
 void Posing::add_corridors() {
     const PiecewiseSpace& space = draft_.space;
     const int wanted = 3 * static_cast<int>(space.freedom()) + 4;
+    std::array<double, 4> scales{};
+    for (int order = 0; order <= 3; ++order)
+        for (const Extreme& one :
+             extremes_of(std::vector<Combination>(draft_.runs.size(), derivative_alone(order))))
+            scales[static_cast<std::size_t>(order)] =
+                std::max(scales[static_cast<std::size_t>(order)], std::abs(one.value));
     for (int tries = 0; tries < wanted; ++tries) {
         const int piece = draw_.whole(0, space.pieces() - 1);
         const int order = draw_.chance(0.4) ? 0 : draw_.whole(1, std::min(3, draft_.continuity + 1));
@@ -362,6 +379,7 @@ void Posing::add_corridors() {
         row.gradient = space.row(derivative_alone(order), piece, at.x);
         row.sign = above ? 1.0 : -1.0;
         row.size = size_of(derivative_alone(order), at, 0.0);
+        row.scale = scales[static_cast<std::size_t>(order)];
         row.preference = draw_.between(0.3, 1.0);
         corridors_.push_back(*corridor);
         corridor_loosened_.push_back(0.0);
@@ -385,7 +403,8 @@ void Posing::add_points() {
             row.of = ActiveRow::Of::point;
             row.owner = points_.size();
             row.gradient = space.row(derivative_alone(order), piece, point.x);
-            point.values.emplace_back(order, row.gradient.dot(motion_));
+            row.part = point.values.size();
+            point.values.push_back({order, row.gradient.dot(motion_), false});
             row.size = size_of(derivative_alone(order), at, 0.0);
             row.preference = draw_.between(0.3, 1.5);
             row.free = true;
@@ -406,7 +425,7 @@ void Posing::add_twin(Point point, int piece) {
     row.of = ActiveRow::Of::point;
     row.owner = points_.size();
     row.gradient = draft_.space.row(derivative_alone(0), piece, point.x);
-    point.values = {{0, row.gradient.dot(motion_)}};
+    point.values = {{0, row.gradient.dot(motion_), false}};
     point.twin_distance = distance;
     row.size = size_of(derivative_alone(0), {point.x, piece, 0.0}, 0.0);
     row.preference = 0.1;
@@ -461,10 +480,11 @@ double Posing::multiplier_sum(ActiveRow::Of of, std::size_t owner) const {
 }
 
 /// Rows with multipliers follow a change of the numbers: by how much the motion, and so the cost, may move.
-double Posing::growth(double lipschitz) const {
+double Posing::growth(double lipschitz) {
     std::vector<const ActiveRow*> hard;
     for (const ActiveRow& row : rows_)
-        if (!row.is_cost() && (row.multiplier > 0.0 || (row.free && points_[row.owner].used)))
+        if (!row.is_cost() &&
+            (row.multiplier > 0.0 || (row.free && points_[row.owner].values[row.part].used)))
             hard.push_back(&row);
     const double drift = draft_.space.drift(motion_);
     if (hard.empty()) return lipschitz * drift;
@@ -482,6 +502,7 @@ double Posing::growth(double lipschitz) const {
     const VectorXd pivots = factor.matrixQR().diagonal().cwiseAbs();
     const double least = pivots[a.rows() - 1] / std::sqrt(static_cast<double>(a.cols()));
     if (least < 1e-10 * pivots[0]) return -1.0;
+    answer_.room = lipschitz * std::sqrt(static_cast<double>(a.rows())) / least;
     return lipschitz * (drift + std::sqrt(violation) / least);
 }
 
@@ -519,15 +540,15 @@ bool Posing::answer_contradiction(double shift) {
         if (row.multiplier == 0.0) continue;
         sizes += row.multiplier * (row.size + row.gap / rounding);
         if (row.free) continue;
-        total += row.multiplier * row.size;
-        if (!heaviest || row.multiplier * row.size > heaviest->multiplier * heaviest->size) heaviest = &row;
+        total += row.multiplier * row.scale;
+        if (!heaviest || row.multiplier * row.scale > heaviest->multiplier * heaviest->scale) heaviest = &row;
     }
     if (!heaviest) return false;
     VectorXd sum = VectorXd::Zero(draft_.space.size());
     for (const ActiveRow& row : rows_) sum += row.multiplier * row.sign * row.gradient;
     sizes += draft_.space.sensitivity(sum, motion_);
     const double dual = (draft_.space.directions().transpose() * sum).norm();
-    const double moved = shift * heaviest->size;
+    const double moved = shift * heaviest->scale;
     if (heaviest->of == ActiveRow::Of::limit) {
         // Every row of the limit moves with it.
         double& bound = bounds_[heaviest->owner].value();
@@ -535,6 +556,12 @@ bool Posing::answer_contradiction(double shift) {
         bound -= limit.side == LimitDraft::Side::below ? -moved : moved;
         if (!(bound > limit.must_exceed) || (limit.side == LimitDraft::Side::both && bound <= 0.0))
             return false;
+        for (std::size_t l = 0; l < draft_.limits.size(); ++l) {  // the other side of the same quantity
+            const bool pair =
+                l != heaviest->owner && draft_.limits[l].key == limit.key && bounds_[l].has_value();
+            if (pair && (limit.side == LimitDraft::Side::below ? bound >= *bounds_[l] : bound <= *bounds_[l]))
+                return false;
+        }
     } else {
         Corridor& corridor = corridors_[heaviest->owner];
         corridor.bound -= corridor.above ? moved : -moved;
@@ -542,7 +569,7 @@ bool Posing::answer_contradiction(double shift) {
     const double gap = heaviest->multiplier * moved;
     const double error =
         roundings * rounding * sizes + dual * 2.0 * std::sqrt(static_cast<double>(draft_.space.size()));
-    answer_.condition = std::max(1.0, sizes / (heaviest->multiplier * heaviest->size));
+    answer_.condition = std::max(1.0, sizes / (heaviest->multiplier * heaviest->scale));
     answer_.feasible = shift <= 0.0;
     answer_.margin = std::abs(gap) / total;
     answer_.error = error / total;
@@ -571,6 +598,8 @@ bool Posing::pose(bool feasible, double shift) {
     if (!draft_.space.close() || draft_.space.freedom() < 1) return false;
     spelling_draw_ = Draw(static_cast<std::uint64_t>(draw_.whole(0, 1 << 30)));
     feasible_ = feasible;
+    narrow_ = edges_ && draw_.chance(0.1);
+    if (narrow_) draft_.change = "narrow corridors";
     motion_ = drawn_motion(draw_, draft_);
     within_lift_ = stays_within_strokes();
     if (draft_.monotone && (!within_lift_ || !is_monotone())) return false;
@@ -581,11 +610,13 @@ bool Posing::pose(bool feasible, double shift) {
     add_points();
     if (!balance(feasible)) return false;
     for (const ActiveRow& row : rows_)
-        if (row.of == ActiveRow::Of::point && row.multiplier > 0.0) points_[row.owner].used = true;
-    for (Point& point : points_) point.used = point.used || (feasible && draw_.chance(0.1));
+        if (row.of == ActiveRow::Of::point)
+            points_[row.owner].values[row.part].used =
+                row.multiplier > 0.0 || (feasible && draw_.chance(0.05));
     for (std::size_t k = 1; k < points_.size(); ++k) {
-        if (points_[k].twin_distance == 0.0 || !points_[k - 1].used || !feasible) continue;
-        points_[k].used = true;
+        Point::Value &first = points_[k - 1].values.front(), &twin = points_[k].values.front();
+        if (points_[k].twin_distance == 0.0 || !first.used || first.order != 0 || !feasible) continue;
+        twin.used = true;
         closest_ = std::min(closest_, points_[k].twin_distance);
     }
     // Bounds without a multiplier: some stay, farther off.
@@ -602,12 +633,16 @@ bool Posing::pose(bool feasible, double shift) {
         if (closest_ < 1.0) {
             // Both displacements are rounded: the slope between them is known to rounding / distance.
             draft_.change = "set points close together";
+            // There may be no motion with that slope, and the optimum may be far above.
             answer_.growth = -1.0;
-            answer_.above += 1e3 * rounding / closest_ * answer_.objective * answer_.condition;
+            answer_.above = std::numeric_limits<double>::infinity();
             answer_.below += 1e3 * rounding / closest_ * answer_.objective * answer_.condition;
             return true;
         }
-        return answer_.error < 1e-8 * answer_.objective;
+        answer_.error += roundings * rounding * answer_.room;
+        // Rounding of its rows alone must not move the motion far either.
+        return answer_.growth >= 0.0 && roundings * rounding * answer_.room < 1e-9 * answer_.objective &&
+               answer_.error < 1e-8 * answer_.objective;
     }
     return answer_contradiction(shift);
 }
@@ -685,7 +720,7 @@ void Posing::write_corridors(SceneText& text) const {
 void Posing::write_points(SceneText& text) const {
     std::vector<std::vector<SceneTable>> of_run(draft_.runs.size());
     for (const Point& point : points_) {
-        if (!point.used) continue;
+        if (std::ranges::none_of(point.values, &Point::Value::used)) continue;
         const Run& run = draft_.runs[point.run];
         const bool own = run.table >= 0;  // counted from the start of its segment, and in its angle
         const double unit = own ? run.end - run.begin : 1.0, begin = own ? run.begin : 0.0;
@@ -694,7 +729,8 @@ void Posing::write_points(SceneText& text) const {
             table.set("at", (point.x - begin) / unit);
         else
             table.set("at_deg", (point.x - begin) * (draft_.units.unit / degree_angle));
-        for (const auto& [order, value] : point.values) {
+        for (const auto& [order, value, used] : point.values) {
+            if (!used) continue;
             const Spelling spelling =
                 drawn_spelling(spelling_draw_, draft_.units, order, std::pow(unit, order));
             table.set(order_names[order] + spelling.ending, value * spelling.factor);

@@ -31,6 +31,7 @@ struct KnownAnswer {
     double condition = 1.0;
     /// How far a relative change by 1 of every number may raise the optimum; below 0: not known.
     double growth = -1.0;
+    double room = 0.0;  ///< the same of the active rows alone, in their sizes
     /// Infeasible scenes: least violation, in sizes of the rows, that any motion has. Feasible ones: how far
     /// the limits may be off a scene without a motion, where that is known.
     double margin = 0.0;

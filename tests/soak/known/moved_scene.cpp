@@ -62,11 +62,12 @@ std::string moved_numbers(Draw& draw, const std::string& value, double by) {
         while (end < value.size() && is_of_number(value[end])) ++end;
         const std::string word = value.substr(k, end - k);
         k = end;
-        if (word.find_first_of(".e") == std::string::npos) {  // a count
+        const double number = std::strtod(word.c_str(), nullptr);
+        if (number == 0.0 || word.find_first_of(".e") == std::string::npos) {  // a beginning, or a count
             moved += word;
             continue;
         }
-        const double number = std::strtod(word.c_str(), nullptr), sign = draw.chance(0.5) ? 1.0 : -1.0;
+        const double sign = draw.chance(0.5) ? 1.0 : -1.0;
         moved +=
             number_text(by > 0.0 ? number * (1.0 + sign * by)
                                  : std::nextafter(number, sign * std::numeric_limits<double>::infinity()));
@@ -76,7 +77,8 @@ std::string moved_numbers(Draw& draw, const std::string& value, double by) {
 
 void move_scene(Draw& draw, KnownScene& scene) {
     if (draw.chance(0.15)) return write_zero_weights(scene);
-    if (!scene.change.empty() && draw.chance(0.5)) return;
+    // A narrow corridor may have no width once it is moved.
+    if (scene.change == "narrow corridors" || (!scene.change.empty() && draw.chance(0.5))) return;
     // 0: one unit in the last place.
     static const std::vector<double> moves = {0.0,   1e-15, 1e-14, 1e-13, 1e-12, 1e-11,
                                               1e-10, 1e-9,  1e-8,  1e-7,  1e-6};
