@@ -23,7 +23,7 @@ struct RowFields {
     std::string axis = {};  ///< of a machine: whose rule it is; empty: of no axis
     std::string key = {};   ///< of the limit in the scene; of a term its own: "velocity" of a peak
     std::string part = {};  ///< what the limit needs beside itself: "undercut", "contact_height", "face_turn"
-    /// Numbers of the row: "station", "harmonic", "speed_rpm" … (docs/results.md).
+    /// Numbers of the row: "station", "harmonic", "rpm" … (docs/results.md).
     std::map<std::string, double> which = {};
     /// Of a made cam: parts of the tolerances, from −1 to 1, by their names; of the motion "s", "s'", "s''".
     std::map<std::string, double> made = {};

@@ -85,7 +85,7 @@ std::vector<StrokeRange> strokes_of_one_spline(const Scene& scene) {
     std::vector<StrokeRange> strokes = {{"motion", 0, 0.0, 1.0, 0.0, 1.0}};
     if (scene.motion.type == MotionType::rr)
         strokes.push_back({"motion", 0, 1.0, scene.motion.length(), 1.0, 0.0});
-    strokes.front().rest_at_begin = strokes.back().rest_at_end = std::max(2, scene.rest_order());
+    strokes.front().rest_at_begin = strokes.back().rest_at_end = scene.rest_order();
     const std::array<double, 2> slopes = {end_velocities(scene.motion, false)[0],
                                           end_velocities(scene.motion, true)[0]};
     for (StrokeRange& stroke : strokes)
@@ -169,8 +169,8 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
                            stretch.end,
                            known_displacement(stretch.from),
                            known_displacement(stretch.to)};
-        if (meets_rest(scene.motion, i, false)) stroke.rest_at_begin = std::max(2, scene.rest_order());
-        if (meets_rest(scene.motion, i, true)) stroke.rest_at_end = std::max(2, scene.rest_order());
+        if (meets_rest(scene.motion, i, false)) stroke.rest_at_begin = scene.rest_order();
+        if (meets_rest(scene.motion, i, true)) stroke.rest_at_end = scene.rest_order();
         const std::vector<Passed> passed = passed_points(points, stroke, i);
         stroke.has_points = !passed.empty();
         if (!stroke.is_free())

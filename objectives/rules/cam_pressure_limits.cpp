@@ -113,9 +113,9 @@ void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool
     if (!at_rest) formula.slopes = limits.structure().pressure_slopes(side, limits.dimensions());
     // Both flanks of a groove have one normal: one rule covers both.
     const int last = limits.cam().stations() - 1;
-    if (last > 0) formula.fields.which["station"] = side.station;
     if (limits.structure().binds(pressure_numerator, last))
         return limits.add_at(std::move(formula), side.station);
+    if (last > 0) formula.fields.which["station"] = side.station;
     limits.add(std::move(formula));
 }
 

@@ -2,18 +2,17 @@
 // camopt_soak: metamorphic random trials. docs/stability.md says what they are.
 #include "tests/soak/figures/law.hpp"
 #include "tests/soak/relations/relation.hpp"
+#include "tests/soak/run/progress.hpp"
 #include "tests/soak/run/tally.hpp"
 #include "tests/soak/run/worker_pool.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <unistd.h>
 #include <vector>
 
 namespace camopt::soak {
@@ -58,27 +57,6 @@ std::string text_of_file(const std::string& path) {
     return text.str();
 }
 
-/// Now and then a line on the standard error, often only on a terminal.
-class Progress {
- public:
-    void tell(const Tally& tally, std::size_t of) {
-        const auto now = std::chrono::steady_clock::now();
-        const double pause = terminal_ ? 1.0 : 60.0;
-        if (std::chrono::duration<double>(now - last_).count() < pause) return;
-        last_ = now;
-        fmt::print(stderr, "{}of {}: {}{}", terminal_ ? "\r" : "", of, tally.progress(),
-                   terminal_ ? "" : "\n");
-        std::fflush(stderr);
-    }
-    ~Progress() {
-        if (terminal_) fmt::print(stderr, "\n");
-    }
-
- private:
-    bool terminal_ = ::isatty(STDERR_FILENO) != 0;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 int run(Options options) {
     std::vector<TrialPlan> plans;
     if (options.replay.empty())
@@ -88,7 +66,7 @@ int run(Options options) {
     for (const std::string& law : known_laws())
         static_cast<void>(law_figures(law));  // found once, not in every worker
     Tally tally(options.folder);
-    Progress progress;
+    Progress progress(60.0);
     const auto plan_of = [&](int number) -> const TrialPlan& {
         return plans[static_cast<std::size_t>(number)];
     };
@@ -98,7 +76,8 @@ int run(Options options) {
                         [&](int number, const std::string& line) { tally.heard(plan_of(number), line); },
                         [&](int number, const std::string& fault) {
                             tally.ended(plan_of(number), fault);
-                            progress.tell(tally, plans.size());
+                            if (progress.is_due())
+                                progress.tell(fmt::format("of {}: {}", plans.size(), tally.progress()));
                         }};
     // Solves that keep their time stay far below this, on a loaded machine too.
     const double longest = std::max(options.budget.motion_seconds, options.budget.cam_seconds);

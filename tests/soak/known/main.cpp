@@ -4,6 +4,7 @@
 #include "tests/soak/figures/law.hpp"
 #include "tests/soak/known/draft.hpp"
 #include "tests/soak/known/tally.hpp"
+#include "tests/soak/run/progress.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,6 @@
 #include <mutex>
 #include <stdexcept>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace camopt::soak {
@@ -127,7 +127,7 @@ class Trials {
         for (int k = 0; k < options_.threads; ++k) threads.emplace_back([this] { work(); });
         for (std::thread& thread : threads) thread.join();
         tally_.save();
-        if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\n");
+        progress_.end();
         fmt::print("{}", tally_.table());
         return tally_.count(Judgement::wrong) > 0 ? 1 : 0;
     }
@@ -145,7 +145,7 @@ class Trials {
             const std::scoped_lock lock(mutex_);
             tally_.add(number - options_.first, scene, found);
             if (found.judgement != Judgement::right) keep(number, scene, found);
-            progress();
+            tell();
         }
     }
 
@@ -164,19 +164,15 @@ class Trials {
         std::fflush(stdout);
     }
 
-    void progress() {
-        const auto now = Clock::now();
-        const bool terminal = ::isatty(STDERR_FILENO) != 0;
-        if (std::chrono::duration<double>(now - told_).count() < (terminal ? 1.0 : 30.0)) return;
-        told_ = now;
+    void tell() {
+        if (!progress_.is_due()) return;
         tally_.save();
-        const double seconds = std::chrono::duration<double>(now - begin_).count();
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
         const long done = tally_.next() - (first_ - options_.first);
-        fmt::print(stderr, "{}{} scenes, {:.1f} a second: {} right, {} open, {} wrong, {} refused{}",
-                   terminal ? "\r" : "", tally_.scenes(), static_cast<double>(done) / seconds,
-                   tally_.count(Judgement::right), tally_.count(Judgement::open),
-                   tally_.count(Judgement::wrong), tally_.count(Judgement::refused), terminal ? "" : "\n");
-        std::fflush(stderr);
+        progress_.tell(fmt::format("{} scenes, {:.1f} a second: {} right, {} open, {} wrong, {} refused",
+                                   tally_.scenes(), static_cast<double>(done) / seconds,
+                                   tally_.count(Judgement::right), tally_.count(Judgement::open),
+                                   tally_.count(Judgement::wrong), tally_.count(Judgement::refused)));
     }
 
     Options options_;
@@ -184,7 +180,8 @@ class Trials {
     long first_ = 0;
     std::atomic<long> next_{0};
     std::mutex mutex_;
-    Clock::time_point begin_ = Clock::now(), told_ = begin_;
+    Clock::time_point begin_ = Clock::now();
+    Progress progress_{30.0};
 };
 
 }  // namespace
