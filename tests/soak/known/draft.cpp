@@ -441,6 +441,7 @@ Draft cam_draft(Draw& draw) {
     cam.set("follower", quoted(flat ? "translating_flat" : "translating_roller"));
     const double base = std::ceil(lift * 1e3 * draw.between(3.0, 8.0) / std::min(1.0, unit * unit));
     cam.set("base_radius_mm", base);
+    draft.lowest = -0.5 * base * 1e-3 / lift;
     if (!flat) cam.set("roller_radius_mm", std::ceil(lift * 200.0) + 2.0);
     SceneTable& forces = draft.text.at("forces");
     const double mass = draw.whole(1, 20) * 0.1, rate = draw.whole(1, 20);

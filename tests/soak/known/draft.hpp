@@ -81,6 +81,7 @@ struct Draft {
     bool may_count_rms = true;
     bool may_pass_points = true;
     bool monotone = false;               ///< the motion has to be
+    double lowest = -1e300;              ///< lifts: a cam is not built of motions below
     std::string reference_law;           ///< empty: numbers
     std::array<double, 4> made_error{};  ///< of y and its derivatives, x: tolerances
     int continuity = 2;

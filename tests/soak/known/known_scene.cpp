@@ -155,6 +155,7 @@ class Posing {
     [[nodiscard]] bool answer_contradiction(double shift);
     [[nodiscard]] double growth(double lipschitz);
     [[nodiscard]] bool stays_within_strokes() const;
+    [[nodiscard]] bool can_be_built() const;
     [[nodiscard]] bool is_monotone() const;
     [[nodiscard]] SceneText written() const;
     void write_objective(SceneText& text) const;
@@ -586,6 +587,13 @@ bool Posing::stays_within_strokes() const {
     return true;
 }
 
+bool Posing::can_be_built() const {
+    for (int piece = 0; piece < draft_.space.pieces(); ++piece)
+        for (const Extreme& one : draft_.space.extremes(motion_, derivative_alone(0), piece))
+            if (one.value < draft_.lowest) return false;
+    return true;
+}
+
 bool Posing::is_monotone() const {
     for (const Run& run : draft_.runs)
         for (int piece = run.first; piece < run.first + run.pieces; ++piece)
@@ -603,6 +611,7 @@ bool Posing::pose(bool feasible, double shift) {
     motion_ = drawn_motion(draw_, draft_);
     within_lift_ = stays_within_strokes();
     if (draft_.monotone && (!within_lift_ || !is_monotone())) return false;
+    if (!can_be_built()) return false;
     add_terms();
     if (feasible) add_area_and_rms();
     add_limits();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camopt::soak {
 
@@ -180,6 +181,7 @@ bool PiecewiseSpace::close() {
             particular - directions_ * own.ldlt().solve(directions_.transpose() * (gram * particular));
     else
         smoothest_ = particular;
+    smoothest_ += range * solver.solve(values - equations_ * smoothest_);
     return smoothest_.allFinite();
 }
 
@@ -226,10 +228,14 @@ std::vector<Extreme> PiecewiseSpace::extremes(const VectorXd& motion, const Comb
 double PiecewiseSpace::sensitivity(const VectorXd& v, const VectorXd& motion) const {
     const Eigen::ColPivHouseholderQR<MatrixXd> factor(equations_.transpose());
     const VectorXd multipliers = factor.solve(v);
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
     double sum = 0.0;
     for (std::size_t k = 0; k < conditions_.size(); ++k) {
-        const double terms = conditions_[k].row.cwiseAbs().dot(motion.cwiseAbs());
-        sum += std::abs(multipliers[static_cast<Index>(k)]) * terms * conditions_[k].growth;
+        const Condition& condition = conditions_[k];
+        const double terms = condition.row.cwiseAbs().dot(motion.cwiseAbs());
+        // At rest all terms are small, and what the motion leaves of the condition is rounding of others.
+        const double left = std::abs(condition.row.dot(motion) - condition.value) / rounding;
+        sum += std::abs(multipliers[static_cast<Index>(k)]) * (terms * condition.growth + left);
     }
     return sum;
 }

@@ -69,7 +69,8 @@ class PiecewiseSpace {
     }
 
     /// How much the value of a program changes by a relative change of what E and its pieces say, where v is
-    /// the sum of all other rows, each times its multiplier: Σ |multiplier of E| · size of its terms.
+    /// the sum of all other rows, each times its multiplier: Σ |multiplier of E| · size of its terms, and
+    /// of what the motion leaves of them by rounding.
     [[nodiscard]] double sensitivity(const Eigen::VectorXd& v, const Eigen::VectorXd& motion) const;
     /// How far c may have to move for such a change: about |E⁺| · size of its terms.
     [[nodiscard]] double drift(const Eigen::VectorXd& motion) const;
