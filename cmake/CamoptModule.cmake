@@ -32,7 +32,8 @@ endif()
 add_library(camopt_instrumentation INTERFACE)
 if(CAMOPT_SANITIZE)
   target_compile_options(camopt_instrumentation INTERFACE -fsanitize=${CAMOPT_SANITIZE}
-    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -Wno-maybe-uninitialized) # GCC loses track of members in instrumented code
   target_link_options(camopt_instrumentation INTERFACE -fsanitize=${CAMOPT_SANITIZE})
 endif()
 if(CAMOPT_COVERAGE)

@@ -47,8 +47,6 @@ std::string Range::integer_text() const {
     return interval.empty() ? "an integer" : "an integer " + interval;
 }
 
-namespace {}  // namespace
-
 RefusedValue::RefusedValue(std::size_t item, const std::string& found, const std::string& allowed)
     : InputError(fmt::format("found {}; allowed: {}", found, allowed)), item_(item) {}
 
@@ -59,7 +57,7 @@ const KeyPlace& SharedPlace::none() {
 
 std::string KeyRow::cam_types_text(char quote) const {
     return listed(
-        cam_types, " or ", [=](std::string_view type) { return fmt::format("{0}{1}{0}", quote, type); },
+        cam_types, " or ", [=](std::string_view cam) { return fmt::format("{0}{1}{0}", quote, cam); },
         " or ");
 }
 
