@@ -67,7 +67,17 @@ double per_normalised(const MotionSpec& motion, const Corridor::Bounds& bounds, 
            spelling_of_unit(order, bounds.unit).factor;
 }
 
-void add_corridor(std::vector<WrittenBound>& all, const MotionSpec& motion, std::size_t index) {
+/// x, or the end of a stretch that it is meant as: it may be a rounding of the angle beside it.
+double meant_place(const MotionFamily& family, double x) {
+    const double rounding = 1e-13 * std::max(1.0, family.end());
+    for (const MotionFamily::Stretch& stretch : family.stretches())
+        for (const double end : {stretch.begin, stretch.end})
+            if (std::abs(x - end) <= rounding) return end;
+    return x;
+}
+
+void add_corridor(std::vector<WrittenBound>& all, const MotionSpec& motion, const MotionFamily& family,
+                  std::size_t index) {
     const Corridor& corridor = motion.corridors[index];
     for (std::size_t order = 0; order < corridor.bounds.size(); ++order) {
         const Corridor::Bounds& bounds = corridor.bounds[order];
@@ -83,8 +93,8 @@ void add_corridor(std::vector<WrittenBound>& all, const MotionSpec& motion, std:
             bound.sign = sign;
             bound.bound = sign * *value;
             bound.scale = scale_of(bound, 1.0);
-            bound.from = corridor.from / motion.unit_angle();
-            bound.until = std::min(corridor.to / motion.unit_angle(), motion.length());
+            bound.from = meant_place(family, corridor.from / motion.unit_angle());
+            bound.until = meant_place(family, std::min(corridor.to / motion.unit_angle(), motion.length()));
             bound.on_copies = true;
             bound.name = fmt::format("corridor_{}_{}", derivative_names[order], side);
             bound.unit = bounds.unit;
@@ -182,7 +192,8 @@ std::vector<WrittenBound> motion_bounds(const Scene& scene, const MotionFamily& 
         if (const auto& limit = row.in(scene.limits); limit && !row.on_peak())
             for (const int side : {-1, 1})
                 if (row.side == 0 || row.side == side) add_sided(all, row, *limit, side, family, scales);
-    for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
+    for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i)
+        add_corridor(all, scene.motion, family, i);
     for (WrittenBound& bound : all) bound.bound -= scene.motion_error(bound.order);  // of a made cam
     for (WrittenBound& bound : drive_bounds(scene, family)) all.push_back(std::move(bound));
     return all;

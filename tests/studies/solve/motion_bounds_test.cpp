@@ -4,6 +4,7 @@
 #include "objectives/motion_bounds.hpp"
 
 #include "core/units.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -135,6 +136,68 @@ TEST(Corridor, ImpossibleOneIsProvedAndExplained) {
     ASSERT_TRUE(row->solved);
     scene.motion.corridors[0].bounds[0].most = *row->solved / 10.0;
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
+}
+
+/// Found by scripts/known: infeasible by 1e-6 of its rows, which took the whole time and was not proved while
+/// the proof's box did not use that acceleration and jerk are limited.
+TEST(Corridor, ContradictionByAMillionthIsProved) {
+    const Scene scene = TestScene(R"([motion]
+type = "DRD"
+lift_mm = 52.0
+speed_rpm = 148.0
+rise_deg = 170.0
+via = [{ at = 0.93591641901528511, velocity_mm_rad = 0.34234344982371862 }]
+[[motion.corridor]]
+from_deg = 146.991727124504
+to_deg = 151.68316628707495
+velocity_m_rad = { min = 0.00023220059334150327 }
+[[motion.corridor]]
+from_deg = 130.95519423419478
+to_deg = 133.04979273352012
+jerk = { min = -6.8420798750871299 }
+[[motion.corridor]]
+from_deg = 13.042546260097257
+to_deg = 22.480547651920574
+velocity_m_rad = { max = 0.0055944358889890708 }
+[spline]
+degree = 7
+segments = 7
+rest = 4
+[dynamics]
+mass_kg = 1.9000000000000001
+stiffness_n_mm = 375.0
+prescribe = "output"
+[objective]
+velocity = 1
+acceleration = 1
+[limits]
+velocity = { max = 2.0851132103476036 }
+acceleration_in_deg2 = { max = 0.00051896774949003412, min = -0.00052381154179223727 }
+jerk_mm_s3 = { max = 453911.04286510654, min = -480085.69729532354 }
+cam_velocity_mm_deg = { max = 0.68932427560857823 }
+)");
+    const Solution solution = solve_without_explaining(scene, {});
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible) << solution.certificate.reason;
+    EXPECT_NEAR(solution.certificate.proof->bound, 1.047e-6, 1e-9);
+    EXPECT_LT(solution.seconds_solve, 2.0);
+}
+
+TEST(Corridor, BeginsWhereALawEnds) {
+    // The jerk of the law at its end is above 600 mm/rad³: a corridor that begins a rounding earlier is not
+    // meant for it.
+    const auto begins_at = [](const std::string& from_deg) {
+        return TestScene(
+            "[motion]\ntype = \"program\"\nlift_mm = 10\n[[motion.segments]]\nkind = \"law\"\n"
+            "law = \"cycloidal\"\nangle_deg = 33.3\nto = 0.3\n[[motion.segments]]\n"
+            "kind = \"spline\"\nangle_deg = 66.7\nto = 1\n[[motion.segments]]\nkind = \"dwell\"\n"
+            "angle_deg = 100\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = 160\nto = 0\n"
+            "[[motion.corridor]]\nfrom_deg = " +
+            from_deg +
+            "\nto_deg = 60\njerk_mm_rad3 = { max = 500 }\n[objective]\njerk = 1\n"
+            "[spline]\nsegments = 6\n");
+    };
+    EXPECT_EQ(solve(begins_at("33.29999999999999")).certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solve(begins_at("33.2")).certificate.verdict, Verdict::infeasible);
 }
 
 TEST(SidedLimit, InTimeHoldsForAProgram) {
