@@ -208,10 +208,11 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd smoothest(const Eigen::VectorXd& load) const;
     [[nodiscard]] std::array<double, 2> displacement_range(double incumbent) const;
     struct SupportedBounds;
-    [[nodiscard]] double farthest(double incumbent) const;
+    struct Considered;
+    [[nodiscard]] double farthest(const Considered& motions) const;
     static void bound_by_motor(const CamModel& model, SupportedBounds& known, double relaxation);
-    [[nodiscard]] SupportedBounds supported_bounds(double incumbent, double relaxation) const;
-    [[nodiscard]] SupportedBounds bounds_within(double farthest, double incumbent, double relaxation) const;
+    [[nodiscard]] SupportedBounds supported_bounds(const Considered& motions) const;
+    [[nodiscard]] SupportedBounds bounds_within(double farthest, const Considered& motions) const;
 
     std::shared_ptr<CamModel> model_;  ///< its grid reads it too
     std::vector<RuleSample> samples_;

@@ -37,7 +37,7 @@ double least_value(const Parameter& parameter, double farthest) {
 }
 
 /// |y^{(order)}| on the splines by limits on it to both sides; infinite where one is not limited.
-double limited_derivative(const CamModel& model, int order) {
+double limited_derivative(const CamModel& model, int order, double relaxation) {
     const auto value = [](const PointRule& rule, int moved) {
         MotionPoint point;
         if (moved > 0) point.derivative[static_cast<std::size_t>(moved)] = 1.0;
@@ -59,7 +59,7 @@ double limited_derivative(const CamModel& model, int order) {
             const bool alone = value(*rule, order == 2 ? 1 : 2) == rest;  // no sum of derivatives
             if (!alone || slope == 0.0) continue;
             double& side = slope > 0.0 ? most : least;
-            const double bound = (relaxed_limits - rest) / slope;
+            const double bound = (relaxation - rest) / slope;
             side = slope > 0.0 ? std::min(side, bound) : std::max(side, bound);
         }
         largest = std::max({largest, std::abs(least), std::abs(most)});
@@ -115,7 +115,14 @@ void bound_lower_derivatives(const MotionFamily& family, std::array<double, 4>& 
 
 }  // namespace
 
-/// Bounds for a curve of at most the incumbent's cost: on parameters, and through them on derivatives.
+/// The motions that bounds are for: of at most this cost (infinity: of any), within the limits relaxed by
+/// `relaxation`. Without an incumbent, where it is not said that they hold, limits need not be satisfied.
+struct CamProblem::Considered {
+    double incumbent = infinity, relaxation = relaxed_limits;
+    bool within_limits = std::isfinite(incumbent);
+};
+
+/// Bounds for these: on parameters, and through them on derivatives.
 struct CamProblem::SupportedBounds {
     Eigen::VectorXd parameters;      ///< upper bounds, in units of their references
     std::array<double, 4> sup, rms;  ///< of |y^{(r)}| and of its root mean square, anywhere
@@ -150,38 +157,39 @@ void CamProblem::bound_by_motor(const CamModel& model, SupportedBounds& known, d
 }
 
 /// |y| of every motion that counts.
-double CamProblem::farthest(double incumbent) const {
+double CamProblem::farthest(const Considered& motions) const {
     const CamModel& model = *model_;
     const double far =
         farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
-    // Without an incumbent the strokes may leave their ranges; proofs over boxes state boxes of their own.
-    if (!std::isfinite(incumbent) || !grid_->shape().convex) return far;
-    return std::min(far, model.held_displacement + relaxed_limits * model.held_width);
+    // Proofs over boxes state boxes of their own.
+    if (!motions.within_limits || !grid_->shape().convex) return far;
+    return std::min(far, model.held_displacement +
+                             std::max(relaxed_limits, motions.relaxation) * model.held_width);
 }
 
 double CamProblem::least_cost(double incumbent) const {
-    return least_cost_of(*model_, supported_bounds(incumbent, relaxed_limits).sup[0]);
+    return least_cost_of(*model_, supported_bounds({incumbent}).sup[0]);
 }
 
 /// Less area is lost the higher y can be, and the less area is lost, the larger the peaks that bound y may
 /// be: from a bound that is too far, passes close in.
-CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, double relaxation) const {
+CamProblem::SupportedBounds CamProblem::supported_bounds(const Considered& motions) const {
     constexpr int passes = 6;
     constexpr double gain = 0.9;
-    SupportedBounds known = bounds_within(farthest(incumbent), incumbent, relaxation);
-    const bool counts = std::isfinite(incumbent) && grid_->shape().convex;
+    SupportedBounds known = bounds_within(farthest(motions), motions);
+    const bool counts = std::isfinite(motions.incumbent) && grid_->shape().convex;
     for (int pass = 0; pass < passes && counts && least_cost_of(*model_, known.sup[0]) < 0.0; ++pass) {
         const double reach = reach_of(model_->known_points, known.sup);
         if (!(reach < gain * known.sup[0])) break;
-        known = bounds_within(reach, incumbent, relaxation);
+        known = bounds_within(reach, motions);
     }
     return known;
 }
 
 /// Of motions with |y| <= farthest.
-CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, double incumbent,
-                                                      double relaxation) const {
+CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, const Considered& motions) const {
     const CamModel& model = *model_;
+    const double relaxation = motions.relaxation;
     const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
     SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
     known.sup.fill(infinity);
@@ -194,7 +202,7 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, double in
         known.parameters[p] = parameter.upper;
         if (!(parameter.weight > 0.0)) continue;
         const double own = std::min(0.0, parameter.weight * least_value(parameter, known.sup[0]));
-        known.parameters[p] = std::min(known.parameters[p], (incumbent - least + own) / parameter.weight);
+        known.parameters[p] = std::min(known.parameters[p], (motions.incumbent - least + own) / parameter.weight);
     }
     for (const ParameterRow& row : model.parameter_rows) {
         if (std::ranges::any_of(row.weights, [](double weight) { return weight < 0.0; })) continue;
@@ -213,9 +221,9 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, double in
         const double normalised = known.parameters[p] * parameter.reference;
         bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
-    // Without an incumbent the limits need not be satisfied.
-    for (int order = 1; order < 4 && std::isfinite(incumbent); ++order)
-        known.sup[order] = std::min(known.sup[order], limited_derivative(model, order));
+    for (int order = 1; order < 4 && motions.within_limits; ++order)
+        known.sup[order] =
+            std::min(known.sup[order], limited_derivative(model, order, std::max(relaxed_limits, relaxation)));
     if (model.motor) bound_by_motor(model, known, relaxation);
     bound_lower_derivatives(model.design, known.sup);
     return known;
@@ -224,7 +232,7 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, double in
 Box CamProblem::box(double incumbent, double relaxation) const {
     const CamModel& model = *model_;
     const MotionFamily& family = model.design;
-    const SupportedBounds known = supported_bounds(incumbent, relaxation);
+    const SupportedBounds known = supported_bounds({incumbent, relaxation, true});
     Box box;
     box.upper = Eigen::VectorXd::Constant(grid_->shape().variables(), infinity);
     // Displacements at joints are bounded by the velocity and the known start.
@@ -274,7 +282,7 @@ Box CamProblem::box(double incumbent, double relaxation) const {
 std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
     const std::vector<KnownPoint>& points = model_->known_points;
     if (points.size() < 2) return {-infinity, infinity};
-    const SupportedBounds known = supported_bounds(incumbent, relaxed_limits);
+    const SupportedBounds known = supported_bounds({incumbent});
     SlopeRange slope{-known.sup[1], known.sup[1]};
     for (const PlacedRule& rule : model_->rules) {
         // Without an incumbent the limits need not be satisfied.
@@ -312,7 +320,7 @@ bool CamProblem::convex(double incumbent) const {
     if (std::ranges::all_of(model_->rules, [](const PlacedRule& rule) { return rule->linear(); }))
         return true;
     const std::array<double, 2> range = displacement_range(incumbent);
-    const SupportedBounds known = supported_bounds(incumbent, relaxed_limits);
+    const SupportedBounds known = supported_bounds({incumbent});
     return std::ranges::all_of(model_->rules, [&](const PlacedRule& rule) {
         const auto [least, most] = model_->seen_range(rule, range, {known.sup[1], known.sup[2]});
         return rule->curvature(least, most) != Curvature::general;

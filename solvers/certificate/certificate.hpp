@@ -171,6 +171,12 @@ struct Certificate {
                                          const Eigen::VectorXd& row_multipliers, const Box& box,
                                          const std::string& statement);
 
+/// Moves the multipliers to where the reduced costs of variables that may have either sign vanish to
+/// rounding, and the bound becomes `target` (the optimum), by nonnegative least squares: a solver's
+/// tolerance, times wide boxes, can cost a proof more than its bound. Unchanged where that proves less, and
+/// of problems too large for dense factorizations.
+void sharpen(DualityProof& proof, double target);
+
 /// Multipliers that fit best: min ‖∇f + Jᵀλ‖² over the rows within `active` of a bound (relative to their
 /// size), with the sign of their bound. Solved by the structured solver.
 [[nodiscard]] Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x, double active,

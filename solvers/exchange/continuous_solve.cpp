@@ -66,6 +66,8 @@ std::optional<DualityProof> relaxed_proof(const ContinuousProblem& problem, cons
 
 // Rows this close to their bound may have a multiplier when a backend gives none.
 constexpr double active_row = 1e-6;
+// Violation that is rounding, and the cost of a repair that is not worth it.
+constexpr double rounding_of_limits = 1e-12, dear_repair = 1e-9;
 // Factor on the step towards the interior that the violation requires.
 constexpr double pull = 1.0 + 1e-6;
 
@@ -109,6 +111,60 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, dual.x, "structured");
 }
 
+// Where limits leave little room, the repair of a violation costs its size times the condition of the scene:
+// the exchange goes on with these parts of its tolerance while the gap is open. Of backends that take longer
+// to come closer, where not much is missing.
+constexpr std::array closer_parts = {1e-2, 1e-4};
+constexpr double nearly_closed = 1e-4;
+
+/// The better of both, each moved inside the limits.
+Candidate repaired(const ContinuousProblem& problem, const ExchangeResult& found, const Candidate& inside,
+                   double tolerance) {
+    Candidate best = pulled_inside(problem, found.best, inside);
+    Candidate latest = pulled_inside(problem, found.latest, inside);
+    return is_better(latest, best, tolerance) ? latest : best;
+}
+
+void deliver(ContinuousResult& result, const Candidate& point) {
+    result.x = point.x;
+    result.certificate.objective = point.objective;
+    result.certificate.worst_violation = point.violation;
+    if (result.certificate.lower_bound)
+        result.certificate.gap = relative_gap(point.objective, *result.certificate.lower_bound);
+}
+
+/// Closes a small gap that the repair has left.
+void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
+                 const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
+    const double widest = solver.name() == "structured" ? infinity : nearly_closed;
+    for (const double part : closer_parts) {
+        const Certificate& certificate = result.certificate;
+        const bool open = certificate.gap && *certificate.gap > judge.gap && *certificate.gap <= widest;
+        if (!open || !problem.convex(certificate.objective) || control.ending()) return;
+        ExchangeOptions closer = exchange;
+        closer.tolerance *= part;
+        closer.backend.tolerance *= part;
+        const Candidate now{result.x, certificate.objective, certificate.worst_violation};
+        const ExchangeResult found = minimize_by_exchange(problem, solver, now, closer, control);
+        result.exchange.rounds += found.rounds;
+        result.exchange.iterations += found.iterations;
+        result.exchange.seconds_solver += found.seconds_solver;
+        const Candidate better = repaired(problem, found, result.inside, judge.tolerance);
+        if (better.x.size() > 0 && is_better(better, now, judge.tolerance)) deliver(result, better);
+        if (found.last.row_multipliers)
+            try_proof(result, problem, *found.last.row_multipliers, found.last.x, std::string(solver.name()));
+    }
+}
+
+/// Once more with multipliers that are balanced to rounding.
+void sharpen_proof(ContinuousResult& result, const JudgeOptions& judge) {
+    Certificate& certificate = result.certificate;
+    if (!certificate.gap || *certificate.gap <= judge.gap || !certificate.proof) return;
+    sharpen(*certificate.proof, certificate.objective);
+    certificate.lower_bound = certificate.proof->bound;
+    certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+}
+
 /// The first point of a solve: the problem's own start if it is feasible, else the point of least violation
 /// of the elastic problem, which also proves infeasibility.
 struct FirstPoint {
@@ -150,22 +206,30 @@ void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& prob
     const auto passes = [&](double bound) {
         return bound_passes(certificate.objective, bound, judge.tolerance);
     };
-    if (!certificate.lower_bound || !passes(*certificate.lower_bound)) return;
+    if (!certificate.lower_bound) return;
+    if (!passes(*certificate.lower_bound)) {
+        // Above it by rounding of the limits: what the proof claims of other motions is not less true below.
+        certificate.lower_bound = std::min(*certificate.lower_bound, certificate.objective);
+        return;
+    }
     forget_proof(certificate);
     result.proof_source.clear();
     if (!(certificate.worst_violation <= judge.tolerance)) return;  // nothing is delivered
     BackendOptions options;
     options.tolerance = exchange.backend.tolerance;
     options.max_seconds = exchange.backend.max_seconds;
-    const double slack = std::max(judge.tolerance, certificate.worst_violation);
-    std::optional<DualityProof> proof =
-        relaxed_proof(problem, {result.x, certificate.objective, slack}, options, control);
-    if (!proof || passes(proof->bound)) return;
-    certificate.lower_bound = proof->bound;
-    certificate.gap = relative_gap(certificate.objective, proof->bound);
-    certificate.proof = std::move(proof);
-    certificate.proof_kind = ProofKind::duality;
-    result.proof_source = "structured, limits relaxed by the tolerance";
+    const double least = std::max(rounding_of_limits, 2.0 * certificate.worst_violation);
+    for (const double slack : {least, std::max(judge.tolerance, least)}) {
+        std::optional<DualityProof> proof =
+            relaxed_proof(problem, {result.x, certificate.objective, slack}, options, control);
+        if (!proof || passes(proof->bound)) continue;
+        certificate.lower_bound = std::min(proof->bound, certificate.objective);
+        certificate.gap = relative_gap(certificate.objective, proof->bound);
+        certificate.proof = std::move(proof);
+        certificate.proof_kind = ProofKind::duality;
+        result.proof_source = "structured, limits relaxed by the tolerance";
+        return;
+    }
 }
 
 void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options) {
@@ -191,6 +255,9 @@ Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point
     const double part = point.violation / (point.violation - inside.violation);
     // Slightly further than the line requires, so that round-off leaves no violation.
     const Candidate pulled = judged(problem, point.x + std::min(1.0, pull * part) * (inside.x - point.x));
+    // Limits without room: the violation is rounding of their values, and its repair leads elsewhere.
+    const bool moves = relative_gap(pulled.objective, point.objective) > dear_repair;
+    if (point.violation <= rounding_of_limits && moves) return point;
     return pulled.violation < point.violation ? pulled : point;
 }
 
@@ -210,22 +277,19 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     result.inside = first.inside;
     result.exchange = minimize_by_exchange(problem, solver, first.inside, exchange, timed);
     if (first.searched && result.exchange.best.x.size() == 0) result.exchange.best = first.inside;
-    Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
-    const Candidate latest = pulled_inside(problem, result.exchange.latest, first.inside);
-    if (is_better(latest, best, judge.tolerance)) best = latest;
-    result.certificate.objective = best.objective;
-    result.certificate.worst_violation = best.violation;
+    const Candidate best = repaired(problem, result.exchange, first.inside, judge.tolerance);
+    deliver(result, best);
     result.seconds.solver += result.exchange.seconds_solver;
     result.seconds.judgement = watch.seconds() - result.seconds.solver;
     bool no_room = false;
-    if (best.x.size() > 0) {
-        result.x = best.x;
-        if (best.violation <= judge.tolerance) {
-            prove(result, problem, solver, exchange, judge, timed);
-            const bool had_bound = result.certificate.lower_bound.has_value();
-            settle_passed_bound(result, problem, exchange, judge, timed);
-            no_room = had_bound && !result.certificate.lower_bound;
-        }
+    if (best.x.size() > 0 && best.violation <= judge.tolerance) {
+        prove(result, problem, solver, exchange, judge, timed);
+        sharpen_proof(result, judge);
+        come_closer(result, problem, solver, exchange, judge, timed);
+        sharpen_proof(result, judge);
+        const bool had_bound = result.certificate.lower_bound.has_value();
+        settle_passed_bound(result, problem, exchange, judge, timed);
+        no_room = had_bound && !result.certificate.lower_bound;
     }
     result.seconds.proof = watch.seconds() - result.seconds.solver - result.seconds.judgement;
     settle_verdict(result.certificate, result.exchange.termination, judge);

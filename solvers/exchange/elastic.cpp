@@ -159,6 +159,8 @@ namespace {
 constexpr double first_look = 1e-3, deep_inside = -1e-2;
 // Its rounds end at this part of the depth that the grid allows.
 constexpr double deep_enough = 0.75;
+// A proof of less than this part of the least violation is sharpened.
+constexpr double well_proved = 0.9;
 // A least violation close to the tolerance is proved only by multipliers of higher accuracy.
 constexpr double second_look = 1e-2;
 
@@ -176,6 +178,8 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Solv
     if (found.point.violation > options.tolerance && on_final_grid && elastic.convex(result.best.objective)) {
         DualityProof proof = duality_proof(elastic.grid(), x, *result.last.row_multipliers,
                                            elastic.box(result.best.objective, 0.0), "least_common_violation");
+        const double least = x[x.size() - 1];
+        if (proof.bound < well_proved * least) sharpen(proof, least);
         if (proof.bound > least_contradiction) found.proof = std::move(proof);
     }
     return found;

@@ -18,8 +18,8 @@ namespace {
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
-// Where limits are steep a violation within the tolerance costs more than the gap: a finer search closes it.
-constexpr double finer = 1e-2, nearly_proved = 1e-4;
+// A gap that no other step would close.
+constexpr double nearly_proved = 1e-4;
 // Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
 constexpr double fine_shift = 1e-11;
 constexpr long long long_patience = 60;
@@ -138,13 +138,8 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
         forget_proof(result.certificate);  // of motions up to the farthest that proofs cover
         return result;
     }
-    const auto nearly = [&] { return result.certificate.gap.value_or(infinity) <= nearly_proved; };
-    if (structured && !nearly()) try_harder(run, solver, exchange, judge, problem, result);
-    if (nearly()) {
-        exchange.tolerance *= finer;
-        exchange.backend.tolerance *= finer;
-        try_again(run, solver, exchange, judge, problem, result);
-    }
+    if (structured && result.certificate.gap.value_or(infinity) > nearly_proved)
+        try_harder(run, solver, exchange, judge, problem, result);
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);
     const Stopwatch watch;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace camopt {
@@ -105,6 +106,72 @@ TEST(ContinuousSolve, ASmallViolationIsRepaired) {
     EXPECT_NE(result.certificate.verdict, Verdict::failed);
     EXPECT_LE(result.certificate.worst_violation, 0.0);
     EXPECT_NEAR(result.certificate.objective, -std::sqrt(2.0), 3e-6);
+}
+
+TEST(ContinuousSolve, LimitsWithoutRoomAreNotRepaired) {
+    DiscProblem problem;
+    const auto at = [&](double angle, double radius) {
+        return judged(problem, Eigen::Vector2d(radius * std::cos(angle), radius * std::sin(angle)));
+    };
+    const Candidate point = at(std::numbers::pi / 4.0, 1.0 + 1e-13), far = at(0.0, 1.0 - 1e-14);
+    EXPECT_EQ(pulled_inside(problem, point, far).objective, point.objective)
+        << "most of the way to another point, for rounding";
+    EXPECT_LE(pulled_inside(problem, point, at(0.0, 0.5)).violation, 0.0);
+    EXPECT_LE(pulled_inside(problem, at(std::numbers::pi / 4.0, 1.0 + 1e-9), far).violation, 0.0);
+}
+
+TEST(DualityProof, MultipliersAreSharpenedToRounding) {
+    DualityProof proof;  // min x0 + 2 x1 subject to x0 >= 1, x1 = 3; x0 + x1 >= 0 is not active
+    proof.variables = {"x0", "x1"};
+    proof.cost = Eigen::Vector2d(1.0, 2.0);
+    proof.matrix.resize(3, 2);
+    for (const auto& [row, column] : {std::pair{0, 0}, {1, 1}, {2, 0}, {2, 1}})
+        proof.matrix.insert(row, column) = 1.0;
+    proof.lower = Eigen::Vector3d(1.0, 3.0, 0.0);
+    proof.upper = Eigen::Vector3d(infinity, 3.0, infinity);
+    proof.multipliers = Eigen::Vector3d(-1.0 + 1e-9, -2.0 - 1e-9, -1e-12);
+    proof.box = {Eigen::Vector2d::Constant(-1e6), Eigen::Vector2d::Constant(1e6)};
+    proof.bound = recomputed_bound(proof);
+    EXPECT_LT(proof.bound, 6.999);
+    sharpen(proof, 7.0);
+    EXPECT_NEAR(proof.bound, 7.0, 1e-8);
+    EXPECT_LE(proof.bound, 7.0);
+    EXPECT_EQ(proof.bound, recomputed_bound(proof));
+}
+
+/// min w m + x, x in [0, 1], a peak m >= x.
+class LittleWeight final : public Nlp {
+ public:
+    explicit LittleWeight(double weight) : weight_(weight) {
+        shape_.x_lower = Eigen::Vector2d::Zero();
+        shape_.x_upper = Eigen::Vector2d(1.0, infinity);
+        shape_.g_lower = Eigen::VectorXd::Constant(1, -infinity);
+        shape_.g_upper = Eigen::VectorXd::Zero(1);
+        shape_.rows.push_back({});
+        shape_.jacobian = {{0, 0}, {0, 1}};
+        shape_.convex = shape_.linear_cost = shape_.quadratic_cost = true;
+    }
+    double cost(const ConstVectorRef& x) const override { return x[0] + weight_ * x[1]; }
+    void gradient(const ConstVectorRef&, VectorRef out) const override { out << 1.0, weight_; }
+    void constraints(const ConstVectorRef& x, VectorRef out) const override { out[0] = x[0] - x[1]; }
+    void jacobian(const ConstVectorRef&, std::span<double> out) const override {
+        out[0] = 1.0;
+        out[1] = -1.0;
+    }
+    void hessian(const ConstVectorRef&, double, const ConstVectorRef&, std::span<double>) const override {}
+    std::string variable_name(int) const override { return "x"; }
+    std::string row_name(int) const override { return "peak"; }
+
+ private:
+    double weight_;
+};
+
+TEST(DualityProof, PeakOfLittleWeightCostsNothing) {
+    const LittleWeight problem(1e-17);
+    const Eigen::VectorXd multiplier = Eigen::VectorXd::Constant(1, 1e-12);  // as accurate as a solver is
+    const Box box{Eigen::Vector2d::Zero(), Eigen::Vector2d(1.0, 1e17)};      // of an incumbent of 1
+    EXPECT_NEAR(duality_proof(problem, Eigen::Vector2d::Zero(), multiplier, box, "objective").bound, 0.0,
+                1e-15);
 }
 
 TEST(ContinuousSolve, InfeasibilityProofIgnoresBackendStatus) {
