@@ -163,8 +163,8 @@ double CamProblem::farthest(const Considered& motions) const {
         farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
     // Proofs over boxes state boxes of their own.
     if (!motions.within_limits || !grid_->shape().convex) return far;
-    return std::min(far, model.held_displacement +
-                             std::max(relaxed_limits, motions.relaxation) * model.held_width);
+    return std::min(
+        far, model.held_displacement + std::max(relaxed_limits, motions.relaxation) * model.held_width);
 }
 
 double CamProblem::least_cost(double incumbent) const {
@@ -202,7 +202,8 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, const Con
         known.parameters[p] = parameter.upper;
         if (!(parameter.weight > 0.0)) continue;
         const double own = std::min(0.0, parameter.weight * least_value(parameter, known.sup[0]));
-        known.parameters[p] = std::min(known.parameters[p], (motions.incumbent - least + own) / parameter.weight);
+        known.parameters[p] =
+            std::min(known.parameters[p], (motions.incumbent - least + own) / parameter.weight);
     }
     for (const ParameterRow& row : model.parameter_rows) {
         if (std::ranges::any_of(row.weights, [](double weight) { return weight < 0.0; })) continue;
@@ -222,8 +223,8 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, const Con
         bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
     for (int order = 1; order < 4 && motions.within_limits; ++order)
-        known.sup[order] =
-            std::min(known.sup[order], limited_derivative(model, order, std::max(relaxed_limits, relaxation)));
+        known.sup[order] = std::min(known.sup[order],
+                                    limited_derivative(model, order, std::max(relaxed_limits, relaxation)));
     if (model.motor) bound_by_motor(model, known, relaxation);
     bound_lower_derivatives(model.design, known.sup);
     return known;
