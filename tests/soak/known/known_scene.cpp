@@ -490,13 +490,15 @@ double Posing::growth(double lipschitz) {
     const double drift = draft_.space.drift(motion_);
     if (hard.empty()) return lipschitz * drift;
     MatrixXd a(static_cast<Index>(hard.size()), draft_.space.freedom());
-    double violation = 0.0;
+    double violation = 0.0, left = 0.0;
+    const double distance = draft_.space.distance(motion_);
     for (std::size_t k = 0; k < hard.size(); ++k) {
         // Each row in its own size.
         a.row(static_cast<Index>(k)) =
             (draft_.space.directions().transpose() * hard[k]->gradient).transpose() / hard[k]->size;
         const double own = 1.0 + hard[k]->gradient.norm() * drift / hard[k]->size;
         violation += own * own;
+        left += std::pow(hard[k]->gradient.norm() * distance / hard[k]->size, 2);
     }
     if (a.rows() > a.cols()) return -1.0;
     const Eigen::ColPivHouseholderQR<MatrixXd> factor(a.transpose());
@@ -504,6 +506,7 @@ double Posing::growth(double lipschitz) {
     const double least = pivots[a.rows() - 1] / std::sqrt(static_cast<double>(a.cols()));
     if (least < 1e-10 * pivots[0]) return -1.0;
     answer_.room = lipschitz * std::sqrt(static_cast<double>(a.rows())) / least;
+    answer_.error += lipschitz * std::sqrt(left) / least;
     return lipschitz * (drift + std::sqrt(violation) / least);
 }
 

@@ -248,4 +248,11 @@ double PiecewiseSpace::drift(const VectorXd& motion) const {
     return change.norm() * std::sqrt(static_cast<double>(size())) / least_pivot_;
 }
 
+double PiecewiseSpace::distance(const VectorXd& motion) const {
+    VectorXd left(static_cast<Index>(conditions_.size()));
+    for (std::size_t k = 0; k < conditions_.size(); ++k)
+        left[static_cast<Index>(k)] = conditions_[k].row.dot(motion) - conditions_[k].value;
+    return left.norm() * std::sqrt(static_cast<double>(size())) / least_pivot_;
+}
+
 }  // namespace camopt::soak
