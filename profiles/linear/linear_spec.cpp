@@ -96,9 +96,9 @@ CamSpec blank_linear_spec(PlateFollower follower) {
     for (int i = 0; i < plate_number_count; ++i) {
         const auto number = static_cast<PlateNumber>(i);
         Dimension value;
-        const bool angle = number == PlateNumber::inclination;
-        if (angle) value.unit = units::degree;
-        spec.dimensions.push_back({name_of(number), value, angle});
+        const bool is_angle = number == PlateNumber::inclination;
+        if (is_angle) value.unit = units::degree;
+        spec.dimensions.push_back({name_of(number), value, is_angle});
     }
     return spec;
 }

@@ -171,6 +171,11 @@ struct Certificate {
                                          const Eigen::VectorXd& row_multipliers, const Box& box,
                                          const std::string& statement);
 
+/// A variable that only relaxes its rows (a peak) has the reduced cost c_j − Σ λ_i |a_ij|. Where that is
+/// below zero by the accuracy of the multipliers, its upper bound counts, which for a peak of little weight
+/// is wide: its multipliers, made smaller by what they are too large, prove more.
+void balance_peaks(DualityProof& proof);
+
 /// Moves the multipliers to where the reduced costs of variables that may have either sign vanish to
 /// rounding, and the bound becomes `target` (the optimum), by nonnegative least squares: a solver's
 /// tolerance, times wide boxes, can cost a proof more than its bound. Unchanged where that proves less, and

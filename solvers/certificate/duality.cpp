@@ -2,8 +2,6 @@
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <Eigen/QR>
-
 #include <numeric>
 
 namespace camopt {
@@ -45,52 +43,6 @@ SparseRows jacobian_of(const Nlp& problem, const Eigen::VectorXd& x) {
         entries.emplace_back(pattern.rows[k], pattern.columns[k], values[k]);
     jacobian.setFromTriplets(entries.begin(), entries.end());
     return jacobian;
-}
-
-/// A variable that only relaxes its rows (a peak) has the reduced cost c_j − Σ λ_i |a_ij|. Where that is
-/// below zero by the accuracy of the multipliers, its upper bound counts, which for a peak of little weight
-/// is wide: its multipliers, made smaller by what they are too large, prove more.
-void balance_relaxing_variables(DualityProof& proof) {
-    constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-    const Eigen::Index variables = proof.cost.size();
-    Eigen::VectorXd relaxing = Eigen::VectorXd::Zero(variables);
-    std::vector<char> hurts(static_cast<std::size_t>(variables), 0);
-    const auto for_entries = [&](const auto& use) {
-        for (Eigen::Index i = 0; i < proof.matrix.rows(); ++i)
-            for (SparseRows::InnerIterator entry(proof.matrix, i); entry; ++entry)
-                use(i, entry.col(), proof.multipliers[i] * entry.value());
-    };
-    for_entries([&](Eigen::Index, Eigen::Index j, double part) {
-        relaxing[j] -= part;
-        if (part > 0.0) hurts[static_cast<std::size_t>(j)] = 1;
-    });
-    Eigen::VectorXd factor = Eigen::VectorXd::Ones(variables);
-    bool any = false;
-    for (Eigen::Index j = 0; j < variables; ++j) {
-        const double most = proof.cost[j] * (1.0 - rounding);
-        if (hurts[static_cast<std::size_t>(j)] || !(proof.cost[j] > 0.0) || !(relaxing[j] > most)) continue;
-        factor[j] = most / relaxing[j];
-        any = true;
-    }
-    if (!any) return;
-    DualityProof balanced = proof;
-    Eigen::VectorXd of_row = Eigen::VectorXd::Ones(proof.matrix.rows());
-    for_entries([&](Eigen::Index i, Eigen::Index j, double) { of_row[i] = std::min(of_row[i], factor[j]); });
-    balanced.multipliers = proof.multipliers.cwiseProduct(of_row);
-    balanced.bound = recomputed_bound(balanced);
-    if (balanced.bound > proof.bound) proof = std::move(balanced);
-}
-
-/// c + Gᵀλ, summed in long double.
-Eigen::VectorXd reduced_costs(const DualityProof& proof) {
-    std::vector<long double> sums(proof.cost.begin(), proof.cost.end());
-    for (Eigen::Index i = 0; i < proof.matrix.rows(); ++i)
-        for (SparseRows::InnerIterator entry(proof.matrix, i); entry; ++entry)
-            sums[static_cast<std::size_t>(entry.col())] +=
-                static_cast<long double>(proof.multipliers[i]) * entry.value();
-    Eigen::VectorXd reduced(proof.cost.size());
-    std::ranges::transform(sums, reduced.begin(), [](long double sum) { return static_cast<double>(sum); });
-    return reduced;
 }
 
 /// min ½‖Aᵀλ + c‖², λ_i >= 0 where signs_i > 0, <= 0 where < 0, free where 0.
@@ -190,134 +142,8 @@ DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
     proof.matrix.finalize();
     proof.box = {box.lower.cwiseMax(shape.x_lower), box.upper.cwiseMin(shape.x_upper)};
     proof.bound = recomputed_bound(proof);
-    balance_relaxing_variables(proof);
+    balance_peaks(proof);
     return proof;
-}
-
-namespace {
-
-/// min ‖A x − b‖, x_k >= 0 but where `free`, by active sets (Lawson and Hanson, Solving Least Squares
-/// Problems, 1974, chapter 23), from x and the independent ones among its columns that are not zero.
-class NonnegativeFit {
- public:
-    NonnegativeFit(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, std::vector<char> free,
-                   Eigen::VectorXd x)
-        : a_(a), b_(b), free_(std::move(free)), x_(std::move(x)) {
-        const Eigen::MatrixXd weighted = a_ * x_.cwiseAbs().asDiagonal();
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(weighted);
-        factor.setThreshold(dependent);
-        for (Eigen::Index k = 0; k < factor.rank(); ++k)
-            passive_.push_back(factor.colsPermutation().indices()[k]);
-        Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
-        kept(passive_) = x_(passive_);
-        x_ = std::move(kept);
-    }
-
-    Eigen::VectorXd solve() {
-        for (Eigen::Index step = 0; step < 3 * x_.size(); ++step) {
-            settle();
-            const Eigen::VectorXd left = b_ - a_ * x_;
-            const Eigen::VectorXd gain = a_.transpose() * left;
-            Eigen::Index best = -1;
-            double most = dependent * left.norm();
-            for (Eigen::Index k = 0; k < x_.size(); ++k) {
-                const double own = free_[k] ? std::abs(gain[k]) : gain[k];
-                if (own <= most * a_.col(k).norm() || std::ranges::find(passive_, k) != passive_.end())
-                    continue;
-                most = own / a_.col(k).norm();
-                best = k;
-            }
-            if (best < 0 || left.norm() <= rounding * b_.norm()) break;
-            passive_.push_back(best);
-        }
-        return x_;
-    }
-
- private:
-    static constexpr double dependent = 1e-13, rounding = 1e-15;
-
-    /// The least squares of the passive columns, without those that would be below zero.
-    void settle() {
-        while (!passive_.empty()) {
-            const Eigen::MatrixXd columns = a_(Eigen::all, passive_);
-            const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(columns);
-            Eigen::VectorXd wanted = factor.solve(b_);
-            wanted += factor.solve(b_ - columns * wanted);
-            double part = 1.0;
-            for (std::size_t k = 0; k < passive_.size(); ++k) {
-                const double now = x_[passive_[k]], next = wanted[static_cast<Eigen::Index>(k)];
-                if (!free_[passive_[k]] && next <= 0.0)
-                    part = std::min(part, now > next ? now / (now - next) : 0.0);
-            }
-            const Eigen::VectorXd now = x_(passive_);
-            x_(passive_) = now + part * (wanted - now);
-            if (part == 1.0) return;
-            std::erase_if(passive_, [&](Eigen::Index k) {
-                const bool leaves = !free_[k] && x_[k] <= rounding * std::abs(x_.maxCoeff());
-                if (leaves) x_[k] = 0.0;
-                return leaves;
-            });
-        }
-    }
-
-    const Eigen::MatrixXd& a_;
-    const Eigen::VectorXd& b_;
-    std::vector<char> free_;
-    Eigen::VectorXd x_;
-    std::vector<Eigen::Index> passive_;
-};
-
-}  // namespace
-
-void sharpen(DualityProof& proof, double target) {
-    // Dense factorizations: of larger problems they would take longer than their solve.
-    constexpr std::size_t most_variables = 250;
-    constexpr double balanced = 1e-6;  // of its cost: what is left of a variable with a multiplier
-    constexpr double idle = 1e-13;     // of the largest part of a reduced cost: rows that are not active
-    constexpr double farthest = 1e12;  // of open sides
-    const Eigen::VectorXd reduced = reduced_costs(proof);
-    std::vector<Eigen::Index> zero;
-    for (Eigen::Index j = 0; j < proof.cost.size(); ++j) {
-        const bool either_sign = proof.box.lower[j] < 0.0 && proof.box.upper[j] > 0.0;
-        if (either_sign || std::abs(reduced[j]) <= balanced * std::abs(proof.cost[j])) zero.push_back(j);
-    }
-    if (proof.multipliers.size() == 0 || zero.empty() || zero.size() > most_variables) return;
-    Eigen::VectorXi place = Eigen::VectorXi::Constant(proof.cost.size(), -1);
-    for (std::size_t k = 0; k < zero.size(); ++k) place[zero[k]] = static_cast<int>(k);
-    // Each variable in what its remainder may cost, each row with the sign of its multiplier.
-    const Eigen::VectorXd costs =
-        proof.box.upper(zero).cwiseMax(-proof.box.lower(zero)).cwiseMin(farthest).cwiseMax(1.0 / farthest);
-    // The last row says that they prove the target.
-    Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(costs.size() + 1, proof.multipliers.size());
-    for (Eigen::Index i = 0; i < proof.matrix.rows(); ++i) {
-        const double sign = proof.multipliers[i] < 0.0 ? -1.0 : 1.0;
-        parts(costs.size(), i) = sign > 0.0 ? proof.upper[i] : -proof.lower[i];
-        for (SparseRows::InnerIterator entry(proof.matrix, i); entry; ++entry)
-            if (const int k = place[entry.col()]; k >= 0) parts(k, i) = sign * costs[k] * entry.value();
-    }
-    const Eigen::VectorXd sizes =
-        parts.colwise().lpNorm<Eigen::Infinity>().transpose().cwiseProduct(proof.multipliers.cwiseAbs());
-    std::vector<Eigen::Index> active;
-    std::vector<char> free;
-    for (Eigen::Index i = 0; i < sizes.size(); ++i) {
-        if (sizes[i] <= idle * sizes.maxCoeff()) continue;
-        active.push_back(i);
-        free.push_back(proof.upper[i] - proof.lower[i] < infinity);
-    }
-    const Eigen::MatrixXd columns = parts(Eigen::all, active);
-    Eigen::VectorXd wanted(costs.size() + 1);
-    wanted << -costs.cwiseProduct(proof.cost(zero)), proof.constant - target;
-    const Eigen::VectorXd found =
-        NonnegativeFit(columns, wanted, free, proof.multipliers(active).cwiseAbs()).solve();
-    DualityProof sharper = proof;
-    sharper.multipliers.setZero();
-    for (std::size_t k = 0; k < active.size(); ++k) {
-        const double size = found[static_cast<Eigen::Index>(k)];
-        sharper.multipliers[active[k]] = proof.multipliers[active[k]] < 0.0 ? -size : size;
-    }
-    sharper.bound = recomputed_bound(sharper);
-    balance_relaxing_variables(sharper);
-    if (sharper.bound > proof.bound) proof = std::move(sharper);
 }
 
 Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x, double active,
