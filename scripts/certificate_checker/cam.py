@@ -437,11 +437,11 @@ class Cam:
         return Fraction(1) if self.direct else self.rules.sizes["center_distance"]
 
     def displacements(self, bound, k, at):
-        """What y can be at a place."""
+        """What the cam's displacement can be at a place."""
         low, high = bound.displacements_at(k, at)
         if self.problem.to_cam:
-            by_y, _, by_bend = self.problem.to_cam
-            beside = by_bend * bound.supremum[k][2]
+            by_y, *others = self.problem.to_cam
+            beside = sum(w * bound.supremum[k][order] for order, w in enumerate(others, 1) if w)
             low, high = by_y * low - beside, by_y * high + beside
         return self.kept_within(low, high)
 

@@ -68,9 +68,10 @@ class Problem:
         return self.scene.get("dynamics", {}).get("prescribe", "cam") == "output"
 
     def prescribe_output(self, given):
-        """The cam gives what a mass on its spring and return spring needs: s = (1 + k_r / k) y + m / (k T^2) y'', T the seconds of a
-        unit of x."""
+        """The cam gives what a mass on its spring, return spring and damper to ground needs:
+        s = (1 + k_r / k) y + c_g / (k T) y' + m / (k T^2) y'', T the seconds of a unit of x."""
         mass, back = number(given["mass_kg"]), number(given.get("return_spring_n_m", 0))
+        damper, pace = number(given.get("ground_damping_n_s_m", 0)), self.turns_per_second()
         if "natural_frequency_hz" in given:
             stiffness = mass * (2 * PI_ITSELF * number(given["natural_frequency_hz"]))**2 - back
         elif "natural_frequency_rad_s" in given:
@@ -79,9 +80,9 @@ class Problem:
             stiffness = number(given["stiffness_n_m"])
         if "drive" in self.scene:
             raise Unverified("a motor that moves a prescribed output")
-        if given.get("stage") or any(key.startswith("ground_damping") for key in given):
-            raise Unverified("an output prescribed with stages or with a damper to ground")
-        self.to_cam = (1 + back / stiffness, Fraction(0), mass / stiffness * self.turns_per_second()**2)
+        if given.get("stage"):
+            raise Unverified("an output prescribed with stages")
+        self.to_cam = (1 + back / stiffness, damper / stiffness * pace, mass / stiffness * pace**2)
         for run in self.runs:
             run.cam_space = CamSpace(run.space, self.to_cam)
 

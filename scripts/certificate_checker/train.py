@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: MIT
 """An elastic follower of one mass, by the definitions of docs/theory/elastic_follower.md.
 
-With the spring k and the damper c to the cam, the return spring k_r with the preload P, K = k + k_r, in lifts and with the time in
-units of x (T seconds each):
+With the spring k and the damper c to the cam, the return spring k_r with the preload P, the damper c_g to ground, K = k + k_r, in lifts and
+with the time in units of x (T seconds each):
 
-    x'' + 2 z w x' + w^2 x = s w^2 y + 2 z w y' - P / K w^2 / lift,   w = sqrt(K / m) T,  z = c / (2 sqrt(K m)),  s = k / K.
+    x'' + 2 q w x' + w^2 x = s w^2 y + 2 z w y' - P / K w^2 / lift,
+    w = sqrt(K / m) T,  z = c / (2 sqrt(K m)),  q = (c + c_g) / (2 sqrt(K m)),  s = k / K.
 
 The mass follows y by x = s y - P / (K lift) + e, and from rest
 
-    e'' + 2 z w e' + w^2 e = f = (1 - s) 2 z w y' - s y''.
+    e'' + 2 q w e' + w^2 e = f = (z - s q) 2 w y' - s y''.
 
-With L = -z w + i v, v = w sqrt(1 - z^2), and E(x) = integral over t from 0 to x of exp(L (x - t)) f(t) this is
+With L = -q w + i v, v = w sqrt(1 - q^2), and E(x) = integral over t from 0 to x of exp(L (x - t)) f(t) this is
 
-    e = Im E / v,   e' + z w e = Re E,   amplitude of the free vibration = |E| / v.
+    e = Im E / v,   e' + q w e = Re E,   amplitude of the free vibration = |E| / v.
 
 Let J(x) be the same integral of y''; that of y' is (J - y') / L. By parts, with the jumps of y^(r) at the breakpoints b (at the start: from 0),
 
     J(x) = sum over b <= x of exp(L (x - b)) sum over r >= 2 of jump_r / L^(r - 1) - sum over r >= 2 of y^(r)(x) / L^(r - 1).
 
-After the last breakpoint, at rest, nothing of the second sum is left: there E = ((1 - s) 2 z w / L - s) J.
+After the last breakpoint, at rest, nothing of the second sum is left: there E = ((z - s q) 2 w / L - s) J.
 
 The force on the cam in units of K lift:  s P / (K lift) + s (1 - s) y + 2 z / w (1 - s) y' - s e - 2 z / w e'.
 
@@ -40,7 +41,7 @@ SAME_PEAK = Fraction(1, 10**11)  # a largest amplitude is enclosed to this part 
 HIGHEST = 8                      # derivatives below this one may jump: the degree is 7 at most
 PLACES = 64                      # speeds at which the largest one is looked for
 KNOWN = ("mass_kg", "natural_frequency_hz", "natural_frequency_rad_s", "stiffness", "damping_ratio", "damping_n_s_m",
-         "return_spring", "preload_n", "speed_range_rpm", "prescribe")
+         "return_spring", "preload_n", "ground_damping_n_s_m", "speed_range_rpm", "prescribe")
 
 
 class Train:
@@ -64,9 +65,12 @@ class Train:
         self.damping = constant(number(given.get("damping_ratio", 0)))
         if "damping_n_s_m" in given:
             self.damping = (number(given["damping_n_s_m"]) / (2 * mass)) * self.frequency.inverse()
-        if self.damping.value[1] >= enclosures.ONE:
+        to_ground = number(given.get("ground_damping_n_s_m", 0)) / (2 * mass)
+        self.whole_damping = self.damping + to_ground * self.frequency.inverse()  # q
+        if self.whole_damping.value[1] >= enclosures.ONE:
             raise Unverified("an elastic follower that is damped above critical")
-        self.ring = (1 - self.damping.square()).root()       # sqrt(1 - z^2)
+        self.ring = (1 - self.whole_damping.square()).root()  # sqrt(1 - q^2)
+        self.dragged = self.damping - self.share * self.whole_damping  # z - s q
         self.preload = (number(given.get("preload_n", 0)) / self.lift) * self.stiffness.inverse()
         self.times = self.times_of(given)
         self.memory = {}
@@ -96,7 +100,7 @@ class Train:
         """L, w and v."""
         w = self.frequency * time
         v = w * self.ring
-        return Complex(-self.damping * w, v), w, v
+        return Complex(-self.whole_damping * w, v), w, v
 
     def powers(self, exponent, count):
         inverse = exponent.inverse()
@@ -134,8 +138,7 @@ class Train:
     def after_rest(self, whole, time):
         """E from J."""
         exponent, w, _ = self.exponent(time)
-        rest = 1 - self.share
-        factor = exponent.inverse().scaled(rest * 2 * self.damping * w) - Complex(self.share, constant(0))
+        factor = exponent.inverse().scaled(2 * self.dragged * w) - Complex(self.share, constant(0))
         return factor * whole
 
     def amplitude_square(self, whole, time):
@@ -229,9 +232,9 @@ class Train:
                 for power, state in zip(powers, states[2:]):
                     driven = driven - power.scaled(state)
                 slow = (driven - Complex(states[1], constant(0))) * powers[0]
-                moved = slow.scaled(rest * two * self.damping * w) - driven.scaled(self.share)
+                moved = slow.scaled(two * self.dragged * w) - driven.scaled(self.share)
                 e = moved.im * v.inverse()
-                rate = moved.re - self.damping * w * e
+                rate = moved.re - self.whole_damping * w * e
                 damper = two * self.damping * w.inverse()
                 return self.share * (self.preload + rest * states[0] - e) + damper * (rest * states[1] - rate) - wanted
             if enclosures.least(room, [enclosures.interval(Fraction(0), width), tuple(ends)], 0) is None:

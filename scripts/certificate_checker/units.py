@@ -19,7 +19,8 @@ MODULI = {unit: size / 1000 for unit, size in PRESSURES.items()}
 RATES = {"n_m": 1, "n_mm": 1000, "lbf_in": POUND_FORCE / INCH, "n_m_rad": 1, "nm_rad": 1, "nm_deg": RADIAN}
 DAMPING = {"n_s_m": 1, "nm_s_rad": 1}
 MASSES = [("mass_kg", "mass", {"kg": 1, "lb": POUND}), ("mass_kg", "inertia", {"kg_m2": 1})]
-TRAIN = MASSES + [("damping_n_s_m", "damping", DAMPING), ("preload_n", "preload", FORCE | MOMENTS)] + [
+TRAIN = MASSES + [("preload_n", "preload", FORCE | MOMENTS)] + [
+    (f"{name}_n_s_m", name, DAMPING) for name in ("damping", "ground_damping")] + [
     (f"{name}_n_m", name, RATES) for name in ("stiffness", "return_spring")]
 # Table: (the key that the checker knows, its name and units in a scene, each in units of the known one). An arm's moments stand for
 # forces, its inertia for a mass.

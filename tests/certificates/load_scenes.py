@@ -34,6 +34,15 @@ SLIDE = ('[motion]\ntype = "DRD"\nlift_mm = 30\nrise_deg = 120\nspeed_rpm = 300\
 INDEX = ('[motion]\ntype = "DRD"\nlift_deg = 45\nrise_deg = 150\nspeed_rpm = 120\n[spline]\nsegments = 8\n[objective]\nvelocity = 1\n[cam]\n'
          'type = "barrel"\nroller_radius_mm = 20\nroller_length_mm = 20\narm_length_mm = 120\ncenter_distance_mm = 120\n'
          "lateral_offset_mm = 115\ngroove_clearance_mm = 0.05\n[forces]\ninertia_kg_m2 = 0.5\ncontact_width_mm = 18\n[limits]\n")
+OUTPUT = ('[motion]\ntype = "DRD"\nlift_mm = 24\nrise_deg = 90\nspeed_rpm = 300\n[spline]\ndegree = 5\nsegments = 12\n[objective]\nvelocity = 0.2\n'
+          'acceleration = 0.6\njerk = 0.2\n')
+# A damper to ground, which the cam of a prescribed output works against.
+DAMPED = ('[dynamics]\nmass_kg = 2.5\nnatural_frequency_hz = 70\ndamping_ratio = 0.02\nreturn_spring_n_mm = 8\npreload_n = 150\n'
+          'ground_damping_n_s_m = 60\nprescribe = "output"\n')
+DAMPED_ARM = ('[dynamics]\ninertia_kg_m2 = 0.02\nnatural_frequency_hz = 60\ndamping_nm_s_rad = 0.3\nground_damping_nm_s_rad = 1.5\n'
+              'prescribe = "output"\n')
+DAMPED_STROKES = (STROKES.split(DWELL)[0] + DWELL + "angle_deg = 60\n" + SPLINE + "angle_deg = 100\nto = 0.4\n" + SPLINE + "angle_deg = 80\nto = 0\n" +
+                  OBJECTIVE.replace("[spline]\nsegments = 12", "[spline]\ndegree = 5\nsegments = 8") + DAMPED)
 
 
 # Name: (scene, verdict).
@@ -84,6 +93,16 @@ TEXTS = {
                         "[limits]\nresidual_um = 100\n", "optimal"),
     "elastic_arm": ('[motion]\ntype = "DRD"\nlift_deg = 10\nrise_deg = 90\nspeed_rpm = 200\n' + OBJECTIVE + "[dynamics]\ninertia_kg_m2 = 0.2\n"
                     "stiffness_nm_rad = 3000\ndamping_ratio = 0.02\nspeed_range_rad_s = [20, 21]\n[limits]\nresidual_deg = 0.1\n", "optimal"),
+    "output_caps": (OUTPUT.replace("[spline]", "[[motion.corridor]]\nfrom_deg = 40\nto_deg = 50\nvelocity_mm_s = { max = 800 }\n[spline]") + DAMPED +
+                    "[limits]\ncam_velocity_mm_s = 880\ncam_acceleration_m_s2 = 66\n", "optimal"),
+    "output_no": (OUTPUT + DAMPED + "[limits]\ncam_velocity_mm_s = 560\n", "infeasible"),
+    "output_roller": (OUTPUT.replace("DRD", "RR").replace("= 12", "= 16") + DAMPED + ROLLER + "[limits]\npressure_angle_deg = 22\n"
+                      "cam_acceleration_m_s2 = 72\n", "optimal"),
+    "output_rings": (OUTPUT + DAMPED + "speed_range_rpm = [280, 320]\n[limits]\nresidual_um = 40\n", "optimal"),
+    "output_pressed": (OUTPUT + DAMPED + "[limits]\ncam_acceleration_m_s2 = 60\ndynamic_contact_force_min_n = 20\n", "optimal"),
+    "output_turns": (OUTPUT.replace("lift_mm = 24", "lift_deg = 20") + DAMPED_ARM + "[limits]\ncam_acceleration_rad_s2 = 900\ncam_velocity_rad_s = 12\n",
+                     "optimal"),
+    "output_strokes": (DAMPED_STROKES + "[limits]\ncam_velocity_m_s = { max = 0.16, min = -0.18 }\n", "optimal"),
 }
 
 # (scene, what is in its scene.toml, what it is replaced by): the files then claim what is not so.
@@ -115,4 +134,11 @@ CHANGES = [
     ("long_region", "velocity = 1.2", "velocity = 1.21"),
     ("elastic_program", "_um = 100", "_um = 99"), ("elastic_program", "_hz = 30", "_hz = 29"), ("elastic_arm", "residual_deg = 0.1", "residual_deg = 0.05"),
     ("elastic_arm", "[20, 21]", "[20, 23]"),
+    ("output_caps", "s_m = 60", "s_m = 59"), ("output_caps", "s_m = 60", "s_m = 61"), ("output_caps", "s_m = 60", "s_m = 0"),
+    ("output_caps", "_s2 = 66", "_s2 = 65.9"), ("output_caps", "_s2 = 66", "_s2 = 66.1"), ("output_caps", "max = 800", "max = 801"),
+    ("output_no", "mm_s = 560", "mm_s = 880"), ("output_roller", "s_m = 60", "s_m = 60.1"), ("output_roller", "_deg = 22", "_deg = 21.9"),
+    ("output_rings", "s_m = 60", "s_m = 60.1"), ("output_rings", "_um = 40", "_um = 39"), ("output_rings", "_um = 40", "_um = 41"),
+    ("output_rings", "[280", "[279"), ("output_rings", "ratio = 0.02", "ratio = 0.01"), ("output_pressed", "min_n = 20", "min_n = 149"),
+    ("output_turns", "g_nm_s_rad = 1.5", "g_nm_s_rad = 1.51"), ("output_turns", "s2 = 900", "s2 = 901"),
+    ("output_strokes", "s_m = 60", "s_m = 61"), ("output_strokes", "max = 0.16", "max = 0.161"),
 ]

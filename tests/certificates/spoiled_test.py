@@ -28,7 +28,8 @@ SCENES = ("drd_cubic_8", "drd_cubic_12", "drd_via_points", "drd_quintic_12", "dr
           "drd_physical_limits", "drd_symmetric", "drd_rms_jerk", "rr_unequal_return", "infeasible_velocity_cap",
           "pusher_set_points", "cam_knife", "drd_free_knots", "ends_drd", "ring", "seam", "repeat", "across", "lobe", "corridor",
           "corridor_no", "load", "tappet", "drive_rms_limit", "drive_rms_no", "arm_moment", "harmonic", "harmonic_no", "finger",
-          "elastic_program", "beside_sine", "long_region", "arm_searched", "offset_searched", "offset_weighed")
+          "elastic_program", "beside_sine", "long_region", "arm_searched", "offset_searched", "offset_weighed", "output_caps",
+          "output_no", "output_rings")
 # Bounds over boxes; the torque peak's has two parts.
 BOX_SCENES = ("cam_undercut", "cam_arm_flat", "torque", "margin", "arm_torque", "offset_margin", "face_arm_offset", "contact_point",
               "lever_searched")
