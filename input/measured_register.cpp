@@ -43,7 +43,7 @@ struct ReferenceMotion {
                 throw SceneError({"measured.register", "a program whose angles or displacements are searched",
                                   "with numbers for all of them"});
             const bool turns = std::ranges::any_of(
-                known.turning_laws, [&](const std::string& law) { return segment.law.starts_with(law); });
+                known.turning_laws, [&](const std::string& name) { return segment.law.starts_with(name); });
             if (turns || segment.takes_states())
                 throw SceneError({"measured.register",
                                   fmt::format("the law \"{}\" in the program", segment.law),
