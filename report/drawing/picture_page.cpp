@@ -2,6 +2,7 @@
 #include "report/drawing/picture_page.hpp"
 
 #include "report/view/cam_words.hpp"
+#include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
 
