@@ -4,6 +4,8 @@
 #include "shop/nc/cutter_compensation.hpp"
 #include "shop/nc/nc_writer.hpp"
 
+#include <fmt/format.h>
+
 namespace camopt {
 
 namespace {
