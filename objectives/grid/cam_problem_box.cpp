@@ -120,6 +120,8 @@ void bound_lower_derivatives(const MotionFamily& family, std::array<double, 4>& 
 struct CamProblem::Considered {
     double incumbent = infinity, relaxation = relaxed_limits;
     bool within_limits = std::isfinite(incumbent);
+
+    [[nodiscard]] double slack() const { return std::max(relaxed_limits, relaxation); }
 };
 
 /// Bounds for these: on parameters, and through them on derivatives.
@@ -163,8 +165,7 @@ double CamProblem::farthest(const Considered& motions) const {
         farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
     // Proofs over boxes state boxes of their own.
     if (!motions.within_limits || !grid_->shape().convex) return far;
-    return std::min(
-        far, model.held_displacement + std::max(relaxed_limits, motions.relaxation) * model.held_width);
+    return std::min(far, model.held_displacement + motions.slack() * model.held_width);
 }
 
 double CamProblem::least_cost(double incumbent) const {
@@ -223,8 +224,7 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, const Con
         bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
     for (int order = 1; order < 4 && motions.within_limits; ++order)
-        known.sup[order] = std::min(known.sup[order],
-                                    limited_derivative(model, order, std::max(relaxed_limits, relaxation)));
+        known.sup[order] = std::min(known.sup[order], limited_derivative(model, order, motions.slack()));
     if (model.motor) bound_by_motor(model, known, relaxation);
     bound_lower_derivatives(model.design, known.sup);
     return known;

@@ -16,7 +16,7 @@ them peaks and dimensions. Every step is an inequality  weights . x <= side. Of 
 Theorem. Every motion of the scene that is better than the delivered one has an x in the box (`range_of`), and satisfies every step but the
 splits. The parts are the leaves of a binary tree of opposite splits, so that x satisfies all splits of one part, and rest on no other
 assumptions than theirs: the least of their bounds is a lower bound of the objective, and if each part is a contradiction there is no
-motion. Whatever the file claims beyond that is refuted.
+motion. What the file claims beyond that is refuted.
 """
 from . import enclosures
 from .conditions import Conditions

@@ -6,7 +6,7 @@ the torque: with <., .> its inner product and z any motion, every motion y has
 
     rms(y) >= <torque(y), torque(z)> / |torque(z)|,    rms(y)^2 >= 2 <torque(y), torque(z)> - |torque(z)|^2,
 
-so that both are rows of every motion, whatever z. That of the delivered motion is taken; where none is delivered, the one at which all rows,
+so that both are rows of every motion, for any z. That of the delivered motion is taken; where none is delivered, the one at which all rows,
 times their multipliers, are least together. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
 """
 

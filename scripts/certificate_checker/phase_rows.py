@@ -2,7 +2,7 @@
 """Rows of amplitudes in a bound: of an elastic follower's vibration, and of harmonics of the lift.
 
 Theorem. Both are |E|, E complex and affine in the motion (train.py, at every speed of a range; harmonics.py). For any u of magnitude 1
-|E| >= Re(conj(u) E), which is affine: a row of every motion, whatever u. certificate.json names the speed or the harmonic of such a row, not
+|E| >= Re(conj(u) E), which is affine: a row of every motion, for any u. certificate.json names the speed or the harmonic of such a row, not
 its u. The checker takes that of the delivered motion where there is one, turned such that as little as possible is left of all rows.
 """
 

@@ -71,6 +71,19 @@ constexpr double rounding_of_limits = 1e-12, dear_repair = 1e-9;
 // Factor on the step towards the interior that the violation requires.
 constexpr double pull = 1.0 + 1e-6;
 
+bool is_closed(const Certificate& certificate, const JudgeOptions& judge) {
+    return certificate.gap && *certificate.gap <= judge.gap;
+}
+
+void adopt(ContinuousResult& result, DualityProof proof, std::string source) {
+    Certificate& certificate = result.certificate;
+    certificate.lower_bound = proof.bound;
+    certificate.gap = relative_gap(certificate.objective, proof.bound);
+    certificate.proof = std::move(proof);
+    certificate.proof_kind = ProofKind::duality;
+    result.proof_source = std::move(source);
+}
+
 /// Keeps the better of the current proof and that of these multipliers. `at`: the point they belong to, where
 /// curved rows and costs have the tangents that they balance; the delivered point may be a little off it.
 void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const Eigen::VectorXd& multipliers,
@@ -85,23 +98,18 @@ void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const
         duality_proof(grid, at, multipliers, problem.box(certificate.objective, 0.0), "objective");
     if (!std::isfinite(proof.bound)) return;
     if (certificate.lower_bound && *certificate.lower_bound >= proof.bound) return;
-    certificate.lower_bound = proof.bound;
-    certificate.gap = relative_gap(certificate.objective, proof.bound);
-    certificate.proof = std::move(proof);
-    certificate.proof_kind = ProofKind::duality;
-    result.proof_source = source;
+    adopt(result, std::move(proof), source);
 }
 
 void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
            const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
-    const auto proved = [&] { return result.certificate.gap && *result.certificate.gap <= judge.gap; };
     const BackendResult& last = result.exchange.last;
     if (last.row_multipliers)
         try_proof(result, problem, *last.row_multipliers, last.x, std::string(solver.name()));
     else if (!was_stopped(result.exchange.termination))
         try_proof(result, problem, fitted_multipliers(problem.grid(), result.x, active_row, control),
                   result.x, "fitted");
-    if (proved() || !problem.grid().shape().convex || control.ending()) return;
+    if (is_closed(result.certificate, judge) || !problem.grid().shape().convex || control.ending()) return;
     if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
     // The grid of another backend's last round is a relaxation too: its dual is a bound for all curves.
     BackendOptions options;
@@ -133,13 +141,13 @@ void deliver(ContinuousResult& result, const Candidate& point) {
         result.certificate.gap = relative_gap(point.objective, *result.certificate.lower_bound);
 }
 
-/// Closes a small gap that the repair has left.
+/// Closes a gap that the repair has left.
 void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
                  const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
     const double widest = solver.name() == "structured" ? infinity : nearly_closed;
     for (const double part : closer_parts) {
         const Certificate& certificate = result.certificate;
-        const bool open = certificate.gap && *certificate.gap > judge.gap && *certificate.gap <= widest;
+        const bool open = certificate.gap && !is_closed(certificate, judge) && *certificate.gap <= widest;
         if (!open || !problem.convex(certificate.objective) || control.ending()) return;
         ExchangeOptions closer = exchange;
         closer.tolerance *= part;
@@ -159,10 +167,10 @@ void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Sol
 /// Once more with multipliers that are balanced to rounding.
 void sharpen_proof(ContinuousResult& result, const JudgeOptions& judge) {
     Certificate& certificate = result.certificate;
-    if (!certificate.gap || *certificate.gap <= judge.gap || !certificate.proof) return;
-    sharpen(*certificate.proof, certificate.objective);
-    certificate.lower_bound = certificate.proof->bound;
-    certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+    if (!certificate.gap || is_closed(certificate, judge) || !certificate.proof) return;
+    DualityProof proof = std::move(*certificate.proof);
+    sharpen(proof, certificate.objective);
+    adopt(result, std::move(proof), result.proof_source);
 }
 
 /// The first point of a solve: the problem's own start if it is feasible, else the point of least violation
@@ -222,13 +230,12 @@ void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& prob
     for (const double slack : {least, std::max(judge.tolerance, least)}) {
         std::optional<DualityProof> proof =
             relaxed_proof(problem, {result.x, certificate.objective, slack}, options, control);
-        if (!proof || passes(proof->bound)) continue;
-        certificate.lower_bound = std::min(proof->bound, certificate.objective);
-        certificate.gap = relative_gap(certificate.objective, proof->bound);
-        certificate.proof = std::move(proof);
-        certificate.proof_kind = ProofKind::duality;
-        result.proof_source = "structured, limits relaxed by the tolerance";
-        return;
+        if (proof && !passes(proof->bound)) {
+            adopt(result, std::move(*proof), "structured, limits relaxed by the tolerance");
+            certificate.lower_bound = std::min(*certificate.lower_bound, certificate.objective);
+            return;
+        }
+        if (least >= judge.tolerance) return;  // the next one is the same
     }
 }
 
@@ -237,7 +244,7 @@ void settle_verdict(Certificate& certificate, Termination termination, const Jud
         certificate.verdict = Verdict::failed;
         certificate.reason = was_stopped(termination) ? reason_of(termination) : Reason::no_feasible_point;
         certificate.gap.reset();  // the gap would refer to a point that is not returned
-    } else if (certificate.gap && *certificate.gap <= options.gap) {
+    } else if (is_closed(certificate, options)) {
         certificate.verdict = Verdict::optimal;
         certificate.reason = Reason::none;
     } else if (certificate.stationarity && *certificate.stationarity <= options.stationarity) {

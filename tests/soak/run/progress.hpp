@@ -33,7 +33,7 @@ class Progress {
         fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "" : "\n");
         std::fflush(stderr);
     }
-    /// What follows stands on a line of its own.
+    /// What follows stands on a new line.
     void end() {
         if (terminal_ && !ended_) fmt::print(stderr, "\n");
         ended_ = true;
