@@ -31,6 +31,6 @@ struct InspectedForm {
 [[nodiscard]] InspectedTable read_inspected_table(const std::filesystem::path& file,
                                                   const InspectedForm& form = {});
 [[nodiscard]] InspectedTable inspected_table_of(std::string_view text, const std::string& name,
-                                                const InspectedForm& form = {});
+                                                const InspectedForm& given = {});
 
 }  // namespace camopt::input

@@ -310,7 +310,7 @@ class DrumCam final : public CamUnderFollower {
     /// What is 0 where the follower is at the point: its axis through it, or its roller against it along the
     /// tangent.
     [[nodiscard]] Vector3d miss(const Held& at, const Vector3d& point, const Vector3d& tangent) const {
-        const Vector3d off = across(at, point);
+        Vector3d off = across(at, point);
         if (form().centers) return off;
         return {off.norm() - flanks_.roller_radius, off.dot(tangent), 0.0};
     }

@@ -364,28 +364,25 @@ DriveFigures figures_of(const Scene& scene, const Motion& motor, const Motion& l
     const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
     const std::vector<DriveSpan> spans = spans_of(scene, family);
     DriveFigures figures;
-    const auto raise = [](Extremum& worst, const Extremum& one) {
-        if (one.value > worst.value) worst = one;
-    };
     figures.torque.at = figures.speed.at = figures.power.at = figures.share_of_curve.at = motor.begin();
     for (const auto& place : motor_peak_rule(scene, family, 0, 1.0).maxima(load, {}))
-        raise(figures.torque, place.where);
-    if (&motor != &load) raise(figures.power, largest_power(torque, spans.front().constant, motor, load));
+        raise_to(figures.torque, place.where);
+    if (&motor != &load) raise_to(figures.power, largest_power(torque, spans.front().constant, motor, load));
     for (const DriveSpan& span : spans)
         for (const int sign : {1, -1}) {
             if (&motor != &load) break;
             for (const Extremum& one : rule_maxima(PowerRule(torque, span, sign), motor, {}))
-                if (one.at >= span.begin && one.at <= span.end) raise(figures.power, one);
+                if (one.at >= span.begin && one.at <= span.end) raise_to(figures.power, one);
         }
     LinearBound speed;
     speed.order = 2;
     for (const double sign : {1.0, -1.0}) {
         speed.weights = {sign * torque.speed, 0.0, 0.0};
-        raise(figures.speed, extreme_of(speed, motor));
+        raise_to(figures.speed, extreme_of(speed, motor));
     }
     std::vector<WrittenBound> curve;
     if (!scene.limits.motor_curve.empty()) add_curve_bounds(curve, scene, spans);
-    for (const WrittenBound& bound : curve) raise(figures.share_of_curve, extreme_of(bound, motor));
+    for (const WrittenBound& bound : curve) raise_to(figures.share_of_curve, extreme_of(bound, motor));
     figures.rms_torque = MotorEnergy(scene, family).rms(load);
     return figures;
 }

@@ -31,10 +31,6 @@ double growth(const Eigen::RowVectorXd& weights, double width) {
     return sum;
 }
 
-// An optimum reaches its peaks at many locations, each to the tolerance of a solve, some 1e-9 of the peak;
-// values this close are the same peak, and their order in the last digits is meaningless.
-constexpr double same_peak = 1e-8;
-
 double mean_square(const SplineCurve& curve, int order) {
     double integral = 0.0;
     for (int i = 0; i < curve.segments(); ++i) {

@@ -19,6 +19,17 @@ struct Extremum {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// An optimum reaches its peaks at many locations, each to the tolerance of a solve, some 1e-9 of the peak:
+/// values this close are the same peak, and their order in the last digits is meaningless.
+inline constexpr double same_peak = 1e-8;
+
+/// The larger value, at the location of `largest` where both are the same peak.
+inline void raise_to(Extremum& largest, const Extremum& found) {
+    if (!(found.value > largest.value)) return;
+    if (!(largest.value >= found.value - same_peak * std::abs(found.value))) largest = found;
+    largest.value = found.value;
+}
+
 // One-dimensional searches: the maximum of a function by golden sections, the boundary of a property by
 // bisection.
 //

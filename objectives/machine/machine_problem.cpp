@@ -362,7 +362,7 @@ double MachineProblem::worst_of_limits(const Eigen::VectorXd& x) const {
 Extremum MachineProblem::worst_of_clearance(int clearance, const Eigen::VectorXd& x) const {
     Extremum worst{-infinity, 0.0};
     for (const Extremum& maximum : maxima_of(clearances_[clearance], motions(x), -infinity))
-        if (maximum.value > worst.value) worst = maximum;
+        raise_to(worst, maximum);
     worst.at = wrapped(worst.at);
     return worst;
 }

@@ -82,9 +82,8 @@ void BlankChoice::validate() const {
 
 Blank chosen_blank(const Blank& with_allowance, const BlankChoice& choice) {
     choice.validate();
-    const Blank blank{choice.radius.value_or(with_allowance.radius),
-                      choice.lower.value_or(with_allowance.lower),
-                      choice.upper.value_or(with_allowance.upper)};
+    Blank blank{choice.radius.value_or(with_allowance.radius), choice.lower.value_or(with_allowance.lower),
+                choice.upper.value_or(with_allowance.upper)};
     blank.validate();
     return blank;
 }

@@ -6,59 +6,24 @@ namespace camopt {
 
 namespace {
 
-// A lower bound for motions that satisfy the limits to within a tolerance.
-//
-// A delivered point may use the tolerance of its limits. If the problem is infeasible to within round-off,
-// its multipliers are unbounded, and a bound for the limits exactly as written exceeds the objective of the
-// point, or is infinite. The relevant bound is that of the problem that contains the point: each limit
-// relaxed by `slack` times its scale. It does not exceed the optimum for the limits as written, so it is a
-// weaker bound for these as well.
-
-/// The delivered point: f(x) and its violation relative to each limit's scale.
+/// The delivered point: f(x) and what its limits are relaxed by.
 struct JudgedPoint {
     const Eigen::VectorXd& x;
     double objective = infinity;
     double slack = 0.0;  ///< >= its violation
 };
 
-/// The same problem with every limit relaxed.
-class RelaxedGrid final : public Nlp {
- public:
-    RelaxedGrid(const Nlp& base, double slack) : Nlp(base.shape()), base_(base) {
-        for (int i = 0; i < shape_.constraints(); ++i) {
-            if (!shape_.rows[static_cast<std::size_t>(i)].limit) continue;
-            const double out = slack * shape_.rows[static_cast<std::size_t>(i)].scale;
-            shape_.g_upper[i] += out;
-            shape_.g_lower[i] -= out;
-        }
-    }
-    double cost(const ConstVectorRef& x) const override { return base_.cost(x); }
-    void gradient(const ConstVectorRef& x, VectorRef out) const override { base_.gradient(x, out); }
-    void constraints(const ConstVectorRef& x, VectorRef out) const override { base_.constraints(x, out); }
-    void jacobian(const ConstVectorRef& x, std::span<double> out) const override { base_.jacobian(x, out); }
-    void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
-                 std::span<double> out) const override {
-        base_.hessian(x, sigma, lambda, out);
-    }
-    std::string variable_name(int index) const override { return base_.variable_name(index); }
-    std::string row_name(int index) const override { return base_.row_name(index); }
-    RowOrigin row_origin(int index) const override { return base_.row_origin(index); }
-
- private:
-    const Nlp& base_;
-};
-
 /// A proof that no point that satisfies the limits to within `slack` has less than proof.bound, which is at
 /// most the objective (to round-off). On the problem's current grid, by the structured solver; convex
 /// problems only. Nullopt if no finite bound is found.
-std::optional<DualityProof> relaxed_proof(const ContinuousProblem& problem, const JudgedPoint& point,
+std::optional<DualityProof> relaxed_proof(ContinuousProblem& problem, const JudgedPoint& point,
                                           const BackendOptions& options, const SolveControl& control) {
     if (!problem.grid().shape().convex || !problem.convex(point.objective)) return {};
-    const RelaxedGrid grid(problem.grid(), point.slack);
-    const BackendResult dual = make_structured_solver()->minimize(grid, point.x, options, control);
+    const RelaxedProblem relaxed(problem, point.slack);
+    const BackendResult dual = make_structured_solver()->minimize(relaxed.grid(), point.x, options, control);
     if (!dual.row_multipliers || !dual.row_multipliers->allFinite()) return {};
-    DualityProof proof = duality_proof(grid, dual.x, *dual.row_multipliers,
-                                       problem.box(point.objective, point.slack), "objective");
+    DualityProof proof = duality_proof(relaxed.grid(), dual.x, *dual.row_multipliers,
+                                       relaxed.box(point.objective, 0.0), "objective");
     if (!std::isfinite(proof.bound)) return {};
     proof.limits_relaxed_by = point.slack;
     return proof;
@@ -207,7 +172,7 @@ void report_infeasible(ContinuousResult& result, FirstPoint first) {
 
 }  // namespace
 
-void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& problem,
+void settle_passed_bound(ContinuousResult& result, ContinuousProblem& problem,
                          const ExchangeOptions& exchange, const JudgeOptions& judge,
                          const SolveControl& control) {
     Certificate& certificate = result.certificate;
@@ -231,7 +196,7 @@ void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& prob
         std::optional<DualityProof> proof =
             relaxed_proof(problem, {result.x, certificate.objective, slack}, options, control);
         if (proof && !passes(proof->bound)) {
-            adopt(result, std::move(*proof), "structured, limits relaxed by the tolerance");
+            adopt(result, std::move(*proof), "structured, limits relaxed");
             certificate.lower_bound = std::min(*certificate.lower_bound, certificate.objective);
             return;
         }
@@ -268,34 +233,29 @@ Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point
     return pulled.violation < point.violation ? pulled : point;
 }
 
-ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
-                                  const ExchangeOptions& exchange, const JudgeOptions& judge,
-                                  const SolveControl& control) {
-    const SolveControl timed = control.sooner(exchange.backend.max_seconds);
+namespace {
+
+/// From the first point by exchange; repaired, proved and judged.
+ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, const FirstPoint& first,
+                          const ExchangeOptions& exchange, const JudgeOptions& judge,
+                          const SolveControl& control) {
     ContinuousResult result;
     const Stopwatch watch;
-    FirstPoint first = first_point(problem, exchange, judge, timed);
-    result.seconds.solver = first.seconds_solver;
-    if (first.infeasible) {
-        result.seconds.judgement = watch.seconds() - result.seconds.solver;
-        report_infeasible(result, std::move(first));
-        return result;
-    }
     result.inside = first.inside;
-    result.exchange = minimize_by_exchange(problem, solver, first.inside, exchange, timed);
+    result.exchange = minimize_by_exchange(problem, solver, first.inside, exchange, control);
     if (first.searched && result.exchange.best.x.size() == 0) result.exchange.best = first.inside;
     const Candidate best = repaired(problem, result.exchange, first.inside, judge.tolerance);
     deliver(result, best);
-    result.seconds.solver += result.exchange.seconds_solver;
+    result.seconds.solver = result.exchange.seconds_solver;
     result.seconds.judgement = watch.seconds() - result.seconds.solver;
     bool no_room = false;
     if (best.x.size() > 0 && best.violation <= judge.tolerance) {
-        prove(result, problem, solver, exchange, judge, timed);
+        prove(result, problem, solver, exchange, judge, control);
         sharpen_proof(result, judge);
-        come_closer(result, problem, solver, exchange, judge, timed);
+        come_closer(result, problem, solver, exchange, judge, control);
         sharpen_proof(result, judge);
         const bool had_bound = result.certificate.lower_bound.has_value();
-        settle_passed_bound(result, problem, exchange, judge, timed);
+        settle_passed_bound(result, problem, exchange, judge, control);
         no_room = had_bound && !result.certificate.lower_bound;
     }
     result.seconds.proof = watch.seconds() - result.seconds.solver - result.seconds.judgement;
@@ -305,6 +265,54 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     if (no_room && result.certificate.verdict == Verdict::feasible)
         result.certificate.reason = Reason::limits_within_rounding;
     if (result.certificate.verdict == Verdict::failed) result.x.resize(0);
+    return result;
+}
+
+/// Whether only the tolerance of its limits makes a convex problem feasible, and its optimum is not found.
+bool has_no_room(const ContinuousResult& result, const ContinuousProblem& problem,
+                 const JudgeOptions& judge) {
+    const double least = result.inside.violation;
+    return problem.grid().shape().convex && result.certificate.verdict != Verdict::optimal &&
+           least > rounding_of_limits && least <= judge.tolerance;
+}
+
+/// With all limits relaxed by twice the least violation, at most the tolerance; kept where it is solved.
+void search_with_room(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
+                      FirstPoint first, const ExchangeOptions& exchange, const JudgeOptions& judge,
+                      const SolveControl& control) {
+    const double slack = std::min(2.0 * first.inside.violation, judge.tolerance);
+    RelaxedProblem relaxed(problem, slack);
+    first.inside.violation -= slack;
+    ContinuousResult found = searched(relaxed, solver, first, exchange, judge, control);
+    found.seconds += result.seconds;
+    result.seconds = found.seconds;
+    if (found.certificate.verdict != Verdict::optimal) return;
+    found.certificate.worst_violation += slack;
+    if (!(found.certificate.worst_violation <= judge.tolerance)) return;
+    found.inside.violation += slack;
+    if (found.certificate.proof) found.certificate.proof->limits_relaxed_by += slack;
+    found.proof_source += ", limits relaxed";
+    result = std::move(found);
+}
+
+}  // namespace
+
+ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
+                                  const ExchangeOptions& exchange, const JudgeOptions& judge,
+                                  const SolveControl& control) {
+    const SolveControl timed = control.sooner(exchange.backend.max_seconds);
+    const Stopwatch watch;
+    FirstPoint first = first_point(problem, exchange, judge, timed);
+    const ContinuousSeconds before{first.seconds_solver, watch.seconds() - first.seconds_solver, 0.0};
+    ContinuousResult result;
+    if (first.infeasible) {
+        report_infeasible(result, std::move(first));
+    } else {
+        result = searched(problem, solver, first, exchange, judge, timed);
+        if (has_no_room(result, problem, judge) && !timed.ending())
+            search_with_room(result, problem, solver, first, exchange, judge, timed);
+    }
+    result.seconds += before;
     return result;
 }
 

@@ -112,13 +112,7 @@ std::vector<Violation> ElasticProblem::violations(const Eigen::VectorXd& x, doub
         const Eigen::VectorXd complete = base_.completed(base);
         for (const int j : grid_->idle()) base[j] = complete[j];
     }
-    std::vector<Violation> found = base_.violations(base, slack + std::max(0.0, -t));
-    for (Violation& violation : found) {
-        if (violation.limit) violation.amount -= t;
-    }
-    std::erase_if(found, [slack](const Violation& violation) { return violation.amount <= -slack; });
-    std::ranges::stable_sort(found, std::greater{}, &Violation::amount);
-    return found;
+    return violations_beyond(base_, base, slack, t);
 }
 
 double ElasticProblem::worst_of_limits(const Eigen::VectorXd& x) const {

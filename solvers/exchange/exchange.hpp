@@ -100,6 +100,48 @@ class ElasticProblem final : public ContinuousProblem {
     std::unique_ptr<Grid> grid_;
 };
 
+// A problem with each limit relaxed by the same part of its scale.
+//
+// A delivered point may use the tolerance of its limits. If a problem is infeasible to within round-off or
+// the tolerance, its multipliers are unbounded, and a bound for the limits exactly as written exceeds the
+// objective of the point, or is infinite. The relevant problem is the one that has room. Its bound does not
+// exceed the optimum for the limits as written, so it is a weaker bound for these as well.
+
+class RelaxedProblem final : public ContinuousProblem {
+ public:
+    /// Refining it refines `base`, which must outlive it.
+    RelaxedProblem(ContinuousProblem& base, double slack);
+    ~RelaxedProblem() override;
+
+    [[nodiscard]] const Nlp& grid() const override;
+    [[nodiscard]] Eigen::VectorXd start() const override { return base_.start(); }
+    [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override {
+        return base_.completed(x);
+    }
+    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override { return base_.objective(x); }
+    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
+    int refine(std::span<const Violation> worst) override;
+    int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
+    [[nodiscard]] Box box(double incumbent, double relaxation) const override {
+        return base_.box(incumbent, relaxation + slack_);
+    }
+    [[nodiscard]] bool convex(double incumbent) const override { return base_.convex(incumbent); }
+
+ private:
+    class Grid;
+    int regridded(int added);
+
+    ContinuousProblem& base_;
+    double slack_;
+    std::unique_ptr<Grid> grid_;
+};
+
+/// ContinuousProblem::violations where each limit is relaxed by `relaxation` times its scale; worst first.
+[[nodiscard]] std::vector<Violation> violations_beyond(const ContinuousProblem& problem,
+                                                       const Eigen::VectorXd& x, double slack,
+                                                       double relaxation);
+
 struct Feasibility {
     Candidate point;                    ///< of the base problem, with the least violation
     std::optional<DualityProof> proof;  ///< of infeasibility: its bound is above least_contradiction
@@ -142,9 +184,9 @@ struct ContinuousResult {
 };
 
 /// If the current bound exceeds the objective of the delivered point (the limits are infeasible to within
-/// round-off), the proof is replaced by that of the limits relaxed by the tolerance, or removed if there is
+/// round-off), the proof is replaced by that of relaxed limits (RelaxedProblem), or removed if there is
 /// none. Afterwards no bound exceeds the objective. `problem`: that of the bound.
-void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& problem,
+void settle_passed_bound(ContinuousResult& result, ContinuousProblem& problem,
                          const ExchangeOptions& exchange, const JudgeOptions& judge,
                          const SolveControl& control);
 

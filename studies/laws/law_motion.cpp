@@ -279,8 +279,7 @@ Peaks normalised_peaks(const Peaks& peaks, const StretchScale& scale) {
 
 void raise_peaks(Peaks& peaks, const Peaks& other) {
     for (const PeakFigure& figure : peak_figures)
-        if (figure.extremum != nullptr && figure.of(other) > figure.of(peaks))
-            peaks.*figure.extremum = other.*figure.extremum;
+        if (figure.extremum != nullptr) raise_to(peaks.*figure.extremum, other.*figure.extremum);
 }
 
 void JoinedMeans::add(const Peaks& part, double width) {

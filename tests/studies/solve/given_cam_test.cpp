@@ -117,6 +117,7 @@ Scene given_scene(const Solution& solution, const std::string& measured) {
     scene.measured.reset();
     scene.measured_rows.reset();
     if (scene.forces) scene.forces->fix();
+    if (scene.dynamics) scene.dynamics->prescribe = PrescribedMotion::cam;
     for (ProgramSegment& segment : scene.motion.segments) segment.angle_range.reset();
     scene.spline.free_knots = false;
     return scene_of_toml(input::scene_text(scene) + "\n[measured]\nuse = \"given\"\n" + measured);
