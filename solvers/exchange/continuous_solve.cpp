@@ -268,29 +268,39 @@ ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, cons
     return result;
 }
 
+// What a motion without room may use of the tolerance: all but what rounding takes of the rest. The room that
+// this leaves is smaller than what an exchange comes close by, and than what steps of doubles see.
+constexpr double usable = 0.999, part_of_room = 0.1;
+
 /// Whether only the tolerance of its limits makes a convex problem feasible, and its optimum is not found.
 bool has_no_room(const ContinuousResult& result, const ContinuousProblem& problem,
                  const JudgeOptions& judge) {
     const double least = result.inside.violation;
     return problem.grid().shape().convex && result.certificate.verdict != Verdict::optimal &&
-           least > rounding_of_limits && least <= judge.tolerance;
+           least > rounding_of_limits && least < usable * judge.tolerance;
 }
 
-/// With all limits relaxed by twice the least violation, at most the tolerance; kept where it is solved.
+/// With all limits relaxed by the tolerance; kept where it is solved.
 void search_with_room(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
-                      FirstPoint first, const ExchangeOptions& exchange, const JudgeOptions& judge,
+                      FirstPoint first, ExchangeOptions exchange, const JudgeOptions& judge,
                       const SolveControl& control) {
-    const double slack = std::min(2.0 * first.inside.violation, judge.tolerance);
+    const double slack = usable * judge.tolerance;
+    exchange.tolerance *= part_of_room;
+    exchange.backend.tolerance *= part_of_room;
+    exchange.backend.exact_steps = ExactSteps::always;
     RelaxedProblem relaxed(problem, slack);
     first.inside.violation -= slack;
     ContinuousResult found = searched(relaxed, solver, first, exchange, judge, control);
     found.seconds += result.seconds;
     result.seconds = found.seconds;
-    if (found.certificate.verdict != Verdict::optimal) return;
     found.certificate.worst_violation += slack;
-    if (!(found.certificate.worst_violation <= judge.tolerance)) return;
+    if (found.certificate.verdict != Verdict::optimal ||
+        !(found.certificate.worst_violation <= judge.tolerance))
+        return;
+    found.exchange.rounds += result.exchange.rounds;
+    found.exchange.iterations += result.exchange.iterations;
     found.inside.violation += slack;
-    if (found.certificate.proof) found.certificate.proof->limits_relaxed_by += slack;
+    found.certificate.proof->limits_relaxed_by += slack;
     found.proof_source += ", limits relaxed";
     result = std::move(found);
 }

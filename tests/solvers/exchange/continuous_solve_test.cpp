@@ -186,6 +186,20 @@ TEST(ContinuousSolve, InfeasibilityProofIgnoresBackendStatus) {
     }
 }
 
+TEST(ContinuousSolve, LimitsWithoutRoomAreRelaxedByTolerance) {
+    const double beyond = 4e-10, allowed = JudgeOptions{}.tolerance;
+    DiscProblem problem(1.0, 1.0 + beyond);  // x0 >= 1 + 4e-10 outside the unit disc
+    const ContinuousResult result = solve_continuous(problem, *make_structured_solver(), {}, {}, {});
+    EXPECT_EQ(result.certificate.verdict, Verdict::optimal);
+    EXPECT_LE(result.certificate.worst_violation, allowed);
+    EXPECT_GE(result.certificate.worst_violation, beyond);
+    ASSERT_TRUE(result.certificate.proof);
+    EXPECT_NEAR(result.certificate.proof->limits_relaxed_by, allowed, 0.01 * allowed);
+    EXPECT_EQ(recomputed_bound(*result.certificate.proof), *result.certificate.lower_bound);
+    // Of the disc of radius 1 + 1e-9 at x0 = 1 + 4e-10.
+    EXPECT_NEAR(result.certificate.objective, -1.0 - std::sqrt(2.0 * (allowed - beyond)), 2e-7);
+}
+
 TEST(ContinuousSolve, ViolationWithinRoundingProvesNothing) {
     const auto verdict_of = [](double rounding) {
         DiscProblem problem(1.0, 1.0 + 1e-6, rounding);
