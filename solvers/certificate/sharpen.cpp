@@ -40,9 +40,13 @@ class NonnegativeFit {
     }
 
     Eigen::VectorXd solve() {
-        for (Eigen::Index step = 0; step < 3 * x_.size(); ++step) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int idle = 0; idle < most_idle;) {
             settle();
             const Eigen::VectorXd left = b_ - a_ * x_;
+            // A dependent column comes and goes without end.
+            idle = left.norm() < progress * least ? 0 : idle + 1;
+            least = std::min(least, left.norm());
             const Eigen::VectorXd gain = a_.transpose() * left;
             Eigen::Index best = -1;
             double most = dependent * left.norm();
@@ -60,7 +64,8 @@ class NonnegativeFit {
     }
 
  private:
-    static constexpr double dependent = 1e-13, rounding = 1e-15;
+    static constexpr double dependent = 1e-13, rounding = 1e-15, progress = 0.99;
+    static constexpr int most_idle = 10;
 
     /// The least squares of the passive columns, without those that would be below zero.
     void settle() {
