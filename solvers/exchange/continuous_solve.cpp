@@ -280,7 +280,7 @@ bool has_no_room(const ContinuousResult& result, const ContinuousProblem& proble
            least > rounding_of_limits && least < usable * judge.tolerance;
 }
 
-/// With all limits relaxed by the tolerance; kept where it is solved.
+/// With all limits relaxed by the tolerance; kept where more is proved.
 void search_with_room(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
                       FirstPoint first, ExchangeOptions exchange, const JudgeOptions& judge,
                       const SolveControl& control) {
@@ -294,9 +294,8 @@ void search_with_room(ContinuousResult& result, ContinuousProblem& problem, cons
     found.seconds += result.seconds;
     result.seconds = found.seconds;
     found.certificate.worst_violation += slack;
-    if (found.certificate.verdict != Verdict::optimal ||
-        !(found.certificate.worst_violation <= judge.tolerance))
-        return;
+    const auto gap_of = [](const ContinuousResult& one) { return one.certificate.gap.value_or(infinity); };
+    if (!(found.certificate.worst_violation <= judge.tolerance) || !(gap_of(found) < gap_of(result))) return;
     found.exchange.rounds += result.exchange.rounds;
     found.exchange.iterations += result.exchange.iterations;
     found.inside.violation += slack;

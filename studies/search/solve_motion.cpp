@@ -18,8 +18,6 @@ namespace {
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
-// A gap that no other step would close.
-constexpr double nearly_proved = 1e-4;
 // Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
 constexpr double fine_shift = 1e-11;
 constexpr long long long_patience = 60;
@@ -67,10 +65,16 @@ void try_again(const PlannedRun& run, const Solver& solver, const ExchangeOption
     keep_better(result, solve_continuous(problem, solver, exchange, judge, run.control), judge);
 }
 
+/// Whether only the tolerance of its limits gives the problem room: there no backend finds more.
+bool has_no_room(const ContinuousResult& result) {
+    return result.certificate.proof && result.certificate.proof->limits_relaxed_by > 0.0;
+}
+
 /// Problems whose numbers are hard: another backend tries from the same grid.
 void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProblem& problem,
                      ContinuousResult& result, Solution& solution) {
-    if (run.plan.next_solver.empty() || is_proved(result) || run.control.ending()) return;
+    if (run.plan.next_solver.empty() || is_proved(result) || has_no_room(result) || run.control.ending())
+        return;
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.backend.native.clear();  // they belong to the first backend
     exchange.backend.max_iterations = std::min(exchange.backend.max_iterations, most_iterations_of_next);
@@ -92,7 +96,7 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
     exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
     const auto proves = [&](const ExchangeOptions& options) {
         try_again(part, solver, options, judge, problem, result);
-        return result.certificate.gap.value_or(infinity) <= nearly_proved;
+        return is_proved(result);
     };
     ExchangeOptions fine = exchange, exact = exchange;
     fine.backend.native.emplace("regularisation", fine_shift);
@@ -138,8 +142,7 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
         forget_proof(result.certificate);  // of motions up to the farthest that proofs cover
         return result;
     }
-    if (structured && result.certificate.gap.value_or(infinity) > nearly_proved)
-        try_harder(run, solver, exchange, judge, problem, result);
+    if (structured && !is_proved(result)) try_harder(run, solver, exchange, judge, problem, result);
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);
     const Stopwatch watch;
