@@ -151,8 +151,7 @@ class CamUnderFollower;  // input/surface_points.cpp
 /// Lines and arcs of the path of the roller's centre, each as rows of its exact points. Throws SceneError
 /// "cam.piece[i]" for a piece of no length, an arc with two radii, a kink, and one along which the cam angle
 /// turns back.
-[[nodiscard]] SurfaceMotion motion_on_pieces(const std::vector<CamPiece>& given,
-                                             const CamUnderFollower& cam);
+[[nodiscard]] SurfaceMotion motion_on_pieces(const std::vector<CamPiece>& given, const CamUnderFollower& cam);
 /// It turns about its axis.
 [[nodiscard]] bool is_turning(const CamUnderFollower& cam);
 /// It is a guide in a body that swings.

@@ -186,7 +186,7 @@ TEST(ContinuousSolve, InfeasibilityProofIgnoresBackendStatus) {
     }
 }
 
-TEST(ContinuousSolve, LimitsWithoutRoomAreRelaxedByTolerance) {
+TEST(ContinuousSolve, LimitsWithoutRoomAreRelaxed) {
     const double beyond = 4e-10, allowed = JudgeOptions{}.tolerance;
     DiscProblem problem(1.0, 1.0 + beyond);  // x0 >= 1 + 4e-10 outside the unit disc
     const ContinuousResult result = solve_continuous(problem, *make_structured_solver(), {}, {}, {});
