@@ -552,8 +552,8 @@ class Bound:
         return -constant, best
 
     def by_parts(self, run, function, supremum):
-        """(the largest that a function of the control points can be, the order of the derivative by whose control points that is found
-        and how)."""
+        """(the largest that a function of the control points can be, by that derivative whose values say most of it; how: for each
+        derivative up to it [(a function of its control points, times what, the largest it can be)], which add up to the function)."""
         weights = [function.get(j, Fraction(0)) for j in range(run.space.size)]
         best, rest, starts = None, Fraction(0), []
         for order in range(0, min(3, run.space.continuity + 1) + 1):
@@ -564,13 +564,16 @@ class Bound:
                     rest = None
                 elif start:
                     rest += abs(start) * known
-                starts = starts + [(order - 1, start, known)]
+                starts = starts + [({0: Fraction(1)}, start, known)]
             if supremum[order] is None or rest is None:
                 continue
-            size = sum((abs(w) for w in weights), Fraction(0))
-            bound = rest + size * supremum[order] * run.space.spread(order)
+            space = run.space.of_derivative(order)
+            values, left = space.in_values({j: w for j, w in enumerate(weights) if w})
+            pieces = [(space.at_means()[0][i], w, supremum[order]) for i, w in values.items()]
+            pieces += [({j: Fraction(1)}, w, supremum[order] * space.spread()) for j, w in left.items() if w]
+            bound = rest + sum((abs(w) * most for _, w, most in pieces), Fraction(0))
             if best is None or bound < best:
-                best, remainder = bound, (order, weights, starts, supremum[order] * run.space.spread(order))
+                best, remainder = bound, [[start] for start in starts] + [pieces]
         if best is None:
             raise Unverified("nothing bounds the motion")
         return best, remainder
@@ -591,10 +594,10 @@ class Bound:
         """What the control points of the derivative top can be: from an end at rest, where the first is 0, they grow by the steps
         times what those of the next derivative can be."""
         top, space = run.top(), run.space
-        sizes = [supremum[top] * space.spread(top)] * (space.size - top)
+        sizes = [supremum[top] * space.of_derivative(top).spread()] * (space.size - top)
         if top == 3 or supremum[top + 1] is None:
             return sizes
-        growth = supremum[top + 1] * space.spread(top + 1)
+        growth = supremum[top + 1] * space.of_derivative(top + 1).spread()
         steps = [growth * step for step in space.steps(top + 1)]
         for rests, places, grown in zip(run.rests, (range(len(sizes)), range(len(sizes) - 1, -1, -1)), (steps, steps[::-1])):
             reach = Fraction(0)

@@ -160,7 +160,7 @@ class BoxProof:
         space, top, ranges, found = run.space, run.top(), None, [None] * 4
         for order in range(top, -1, -1):
             count = space.size - order
-            size = None if supremum[order] is None else supremum[order] * space.spread(order)
+            size = None if supremum[order] is None else supremum[order] * space.of_derivative(order).spread()
             own = [(-size, size) if size is not None else None] * count
             if ranges is not None:
                 steps = [tuple(sorted((a * h, b * h))) for (a, b), h in zip(ranges, space.steps(order + 1))]

@@ -17,6 +17,14 @@ def once(rows):
     return list(totals.values())
 
 
+def combined(rows, function):
+    """The row that is a function of these."""
+    total = {}
+    for j, w in function.items():
+        add_to(total, rows[j], w)
+    return total
+
+
 def vipr(bound, problem, cost, proved):
     """The bound as a certificate in the VIPR format, version 1.0: the linear program over the control points and the
     peaks, and the one combination of its rows that proves the bound (or that there is no motion)."""
@@ -55,25 +63,18 @@ def vipr(bound, problem, cost, proved):
         weights |= {searched[name]: slope for name, slope in row.searched.items()}
         add("L", row.most, weights, -multiplier)
     for k, (run, (conditions, original, remainder)) in enumerate(zip(problem.runs, bound.remainders)):
-        order, weights, starts, most = remainder
         for pivot, (row, value) in conditions.rows.items():
             own = {first[k] + j: w for j, w in row.items()}
             own[first[k] + pivot] = Fraction(1)
             add("E", value, own, original.get(pivot, Fraction(0)))
         derived = [{first[k] + j: Fraction(1)} for j in range(run.space.size)]
-        for step in range(1, order + 1):
-            _, weight, known = starts[step - 1]
-            if weight:
-                add("G" if weight > 0 else "L", -known if weight > 0 else known, derived[0], weight)
-            higher = []
-            for low, high, width in zip(derived, derived[1:], run.space.steps(step)):
-                row = dict(high)
-                add_to(row, low, -1)
-                higher.append({j: w / width for j, w in row.items()} if width else {})
-            derived = higher
-        for row, weight in zip(derived, weights):
-            if weight:
-                add("G" if weight > 0 else "L", -most if weight > 0 else most, row, weight)
+        for order, pieces in enumerate(remainder):
+            for function, weight, most in pieces:
+                if weight:
+                    add("G" if weight > 0 else "L", -most if weight > 0 else most, combined(derived, function), weight)
+            if order + 1 < len(remainder):
+                derived = [{j: w / width for j, w in combined(derived, {i: -1, i + 1: 1}).items()} if width else {}
+                           for i, width in enumerate(run.space.steps(order + 1))]
 
     def text(row):
         return " ".join([str(len(row))] + [f"{j} {w}" for j, w in sorted(row.items())])
@@ -89,6 +90,6 @@ def vipr(bound, problem, cost, proved):
     lines += [f"R{i} {sense} {right} {text(row)}" for i, (sense, right, row) in enumerate(rows)]
     lines += [f"RTP range {target} inf" if cost else "RTP infeas", "SOL 0", "DER 1"]
     used = [(i, m) for i, m in steps if m]
-    combined = " ".join(f"{i} {m}" for i, m in used)
-    lines.append(f"B G {target} {'OBJ' if cost else '0'} {{ lin {len(used)} {combined} }} -1")
+    multipliers = " ".join(f"{i} {m}" for i, m in used)
+    lines.append(f"B G {target} {'OBJ' if cost else '0'} {{ lin {len(used)} {multipliers} }} -1")
     return "\n".join(lines) + "\n"
