@@ -18,6 +18,7 @@ from .origins import Origin
 from .prescribed import limits_at, value_beside
 from .rational import Fraction
 from .runs import Row
+from .small_sums import small_sum
 from .strokes import farthest, stroke_of
 from .phase_rows import add_phase_row, use_phase_rows
 
@@ -534,7 +535,8 @@ class Bound:
         function, constant = conditions.reduced(self.named(dict(enumerate(self.functions))), Fraction(0))
         self.residual = sum((abs(w) for (k, _), w in function.items() if k is None), Fraction(0)) * self.problem.farthest_level
         for k, (run, supremum) in enumerate(zip(self.problem.runs, self.supremum)):
-            self.residual += self.by_parts(run, {j: w for (own, j), w in function.items() if own == k}, supremum)[0]
+            states, left = self.in_states(run, {j: w for (own, j), w in function.items() if own == k}, supremum, lambda row: row)
+            self.residual += self.largest_of(states + self.in_points(run, left, supremum))
         self.remainders.append(None)
         return -constant - self.residual
 
@@ -545,38 +547,33 @@ class Bound:
         conditions = Conditions(run.conditions)
         if conditions.contradiction:
             raise Unverified("conditions that contradict each other")
-        original = dict(function)
-        function, constant = conditions.reduced(function, Fraction(0))
-        best, remainder = self.by_parts(run, function, supremum)
-        self.remainders.append((conditions, original, remainder))
-        return -constant, best
+        states, function = self.in_states(run, function, supremum, lambda row: conditions.reduced(dict(row), Fraction(0))[0])
+        left, constant = conditions.reduced(dict(function), Fraction(0))
+        pieces = states + self.in_points(run, left, supremum)
+        self.remainders.append((conditions, function, pieces))
+        return -constant, self.largest_of(pieces)
 
-    def by_parts(self, run, function, supremum):
-        """(the largest that a function of the control points can be, by that derivative whose values say most of it; how: for each
-        derivative up to it [(a function of its control points, times what, the largest it can be)], which add up to the function)."""
-        weights = [function.get(j, Fraction(0)) for j in range(run.space.size)]
-        best, rest, starts = None, Fraction(0), []
-        for order in range(0, min(3, run.space.continuity + 1) + 1):
-            if order > 0:
-                start, weights = run.space.raised(weights, order)
-                known = self.at_start(run, order - 1, supremum)
-                if rest is None or (start and known is None):
-                    rest = None
-                elif start:
-                    rest += abs(start) * known
-                starts = starts + [({0: Fraction(1)}, start, known)]
-            if supremum[order] is None or rest is None:
-                continue
-            space = run.space.of_derivative(order)
-            values, left = space.in_values({j: w for j, w in enumerate(weights) if w})
-            pieces = [(space.at_means()[0][i], w, supremum[order]) for i, w in values.items()]
-            pieces += [({j: Fraction(1)}, w, supremum[order] * space.spread()) for j, w in left.items() if w]
-            bound = rest + sum((abs(w) * most for _, w, most in pieces), Fraction(0))
-            if best is None or bound < best:
-                best, remainder = bound, [[start] for start in starts] + [pieces]
-        if best is None:
-            raise Unverified("nothing bounds the motion")
-        return best, remainder
+    @staticmethod
+    def in_states(run, function, supremum, reduced):
+        """([(row, times what, the largest it can be)], what is left of the function): states at breakpoints whose sum, as far as it counts
+        once it is reduced, is the function but for rounding."""
+        rows = [(row, supremum[order]) for order, row in run.space.at_breakpoints() if supremum[order]]
+        parts = [{j: float(w / most) for j, w in reduced(row).items() if w} for row, most in rows]
+        factors = small_sum({j: float(w) for j, w in reduced(function).items() if w}, parts, float(supremum[0] * run.space.spread()))
+        left = dict(function)
+        states = [(row, number(factor) / most, most) for factor, (row, most) in zip(factors, rows) if factor]
+        for row, weight, _ in states:
+            add_to(left, row, -weight)
+        return states, left
+
+    @staticmethod
+    def in_points(run, function, supremum):
+        """The same by single control points."""
+        return [({j: Fraction(1)}, w, supremum[0] * run.space.spread()) for j, w in function.items() if w]
+
+    @staticmethod
+    def largest_of(pieces):
+        return sum((abs(w) * most for _, w, most in pieces), Fraction(0))
 
     def under_in_top(self, run, function, supremum):
         """The same where some segments are far narrower than others: conditions solved in control points of a

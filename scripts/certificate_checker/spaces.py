@@ -3,11 +3,8 @@
 
 Theorem. The piecewise polynomials of a degree on the breakpoints, with so many continuous derivatives, are the combinations of the basis
 (Cox and de Boor), exactly. A spline's values at the means of its knots are A c, A those of the basis and c its control points. For any
-matrix B, near the inverse of A, and any weights
-
-    w . c = (w B) . values + (w - w B A) . c,   so that   max |c| <= max |value| |B| / (1 - r),   where r = |1 - B A| < 1,
-
-in the norm of row sums. By these a control point of a derivative is at most `spread` times the largest value of that derivative.
+matrix B, near the inverse of A, |c| <= |B| max |value| / (1 - r), where r = |1 - B A| < 1 in the norm of row sums: `spread` times the largest
+value.
 """
 import math
 
@@ -35,8 +32,8 @@ class Space:
         self.size = len(self.knots) - degree - 1
         self.segments = len(breakpoints) - 1
         self.fold = fold
-        self.known, self.derivatives = {}, {}
-        self.matrices = self.norm = None  # `at_means`, `spread`
+        self.known, self.derivatives, self.functionals = {}, {}, []
+        self.norm = None  # `spread`
 
     def first(self, segment):
         """The first of the degree + 1 control points that a segment feels."""
@@ -129,33 +126,31 @@ class Space:
             self.derivatives[order] = Space(self.degree - order, self.continuity - order, self.breakpoints)
         return self.derivatives[order]
 
-    def at_means(self):
-        """(A, B), rows {control point: weight} and {place: weight}."""
-        if self.matrices is None:
-            values, numbers = [], range(self.size)
-            for j in numbers:
-                own = self.knots[j + 1:j + self.degree + 1] or self.knots[j:j + 2]
-                x = sum(own) / len(own)
-                values.append(self.functional(x, 0, "right" if x == self.knots[j] else "left"))
-            rows = eliminated([[float(row.get(j, 0)) for j in numbers] + [float(i == j) for j in numbers] for i, row in enumerate(values)])
-            self.matrices = values, [{i: Fraction(w) for i, w in enumerate(row) if abs(w) > TINY} for row in rows or [[]] * self.size]
-        return self.matrices
-
-    def in_values(self, weights):
-        """w . c of {control point: weight} as ({place: weight}, what is left {control point: weight})."""
-        (matrix, inverse), values, left = self.at_means(), {}, dict(weights)
-        for j, w in weights.items():
-            add_to(values, inverse[j], w)
-        for i, w in values.items():
-            add_to(left, matrix[i], -w)
-        return values, left
+    def at_breakpoints(self):
+        """[(order, row)] of a spline and three derivatives at every breakpoint, from both sides where one may jump."""
+        if not self.functionals:
+            last = self.breakpoints[-1]
+            self.functionals = [(order, self.functional(x, order, side)) for x in self.breakpoints for order in range(4)
+                                for side in ("left", "right") if order > self.continuity or side == ("left" if x == last else "right")]
+        return self.functionals
 
     def spread(self):
         """How much larger than the largest value a control point can be."""
         if self.norm is None:
-            rows = [self.in_values({j: Fraction(1)}) for j in range(self.size)]
-            size, rest = (max(sum(map(abs, row.values())) for row in own) for own in zip(*rows))
-            self.norm = size / (1 - rest) if rest < 1 else FAR
+            numbers, matrix = range(self.size), []
+            for j in numbers:
+                own = self.knots[j + 1:j + self.degree + 1] or self.knots[j:j + 2]
+                x = sum(own) / len(own)
+                matrix.append(self.functional(x, 0, "right" if x == self.knots[j] else "left"))
+            nearly = eliminated([[float(row.get(j, 0)) for j in numbers] + [float(i == j) for j in numbers] for i, row in enumerate(matrix)])
+            norm, rest = Fraction(0), Fraction(0 if nearly else 1)
+            for j, row in enumerate(nearly or []):
+                exact, left = [Fraction(w) if abs(w) > TINY else 0 for w in row], {j: Fraction(-1)}
+                for weight, own in zip(exact, matrix):
+                    if weight:
+                        add_to(left, own, weight)
+                norm, rest = max(norm, sum(map(abs, exact))), max(rest, sum(map(abs, left.values())))
+            self.norm = norm / (1 - rest) if rest < 1 else FAR
         return self.norm
 
 

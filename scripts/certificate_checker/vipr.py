@@ -5,7 +5,6 @@ Theorem. The file is a linear program over control points and peaks whose rows e
 the bound, or that there is no motion.
 """
 
-from .exact import add_to
 from .rational import Fraction
 
 
@@ -15,14 +14,6 @@ def once(rows):
     for row, multiplier in rows:
         totals[id(row)] = row, totals.get(id(row), (row, 0))[1] + multiplier
     return list(totals.values())
-
-
-def combined(rows, function):
-    """The row that is a function of these."""
-    total = {}
-    for j, w in function.items():
-        add_to(total, rows[j], w)
-    return total
 
 
 def vipr(bound, problem, cost, proved):
@@ -62,19 +53,13 @@ def vipr(bound, problem, cost, proved):
             weights[peaks + row.peak] = Fraction(-1)
         weights |= {searched[name]: slope for name, slope in row.searched.items()}
         add("L", row.most, weights, -multiplier)
-    for k, (run, (conditions, original, remainder)) in enumerate(zip(problem.runs, bound.remainders)):
+    for k, (run, (conditions, function, pieces)) in enumerate(zip(problem.runs, bound.remainders)):
         for pivot, (row, value) in conditions.rows.items():
             own = {first[k] + j: w for j, w in row.items()}
             own[first[k] + pivot] = Fraction(1)
-            add("E", value, own, original.get(pivot, Fraction(0)))
-        derived = [{first[k] + j: Fraction(1)} for j in range(run.space.size)]
-        for order, pieces in enumerate(remainder):
-            for function, weight, most in pieces:
-                if weight:
-                    add("G" if weight > 0 else "L", -most if weight > 0 else most, combined(derived, function), weight)
-            if order + 1 < len(remainder):
-                derived = [{j: w / width for j, w in combined(derived, {i: -1, i + 1: 1}).items()} if width else {}
-                           for i, width in enumerate(run.space.steps(order + 1))]
+            add("E", value, own, function.get(pivot, Fraction(0)))
+        for row, weight, most in pieces:
+            add("G" if weight > 0 else "L", -most if weight > 0 else most, {first[k] + j: w for j, w in row.items()}, weight)
 
     def text(row):
         return " ".join([str(len(row))] + [f"{j} {w}" for j, w in sorted(row.items())])
@@ -90,6 +75,6 @@ def vipr(bound, problem, cost, proved):
     lines += [f"R{i} {sense} {right} {text(row)}" for i, (sense, right, row) in enumerate(rows)]
     lines += [f"RTP range {target} inf" if cost else "RTP infeas", "SOL 0", "DER 1"]
     used = [(i, m) for i, m in steps if m]
-    multipliers = " ".join(f"{i} {m}" for i, m in used)
-    lines.append(f"B G {target} {'OBJ' if cost else '0'} {{ lin {len(used)} {multipliers} }} -1")
+    combined = " ".join(f"{i} {m}" for i, m in used)
+    lines.append(f"B G {target} {'OBJ' if cost else '0'} {{ lin {len(used)} {combined} }} -1")
     return "\n".join(lines) + "\n"
