@@ -27,6 +27,7 @@ MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
 LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
 ROUNDED = Fraction(1, 10**9)  # what rounding may leave of a bound before multipliers are corrected
+OTHER_MEANS = "root mean squares at other motions"  # tangents at which could say more
 FARTHEST = Fraction(1000)    # lifts: no motion beyond is considered where nothing else bounds it
 
 
@@ -339,7 +340,7 @@ class Bound:
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
         problem = self.problem
         if problem.free and any(term.kind.endswith("rms") and term.weight for term in problem.terms):  # each case has its own best motion
-            self.left_out.setdefault("root mean squares at other motions", Fraction(0))
+            self.leave_out(OTHER_MEANS, Fraction(0))
         if self.motor:
             self.motor.use_terms(curve)
         for t, term in enumerate(problem.terms):
@@ -416,7 +417,7 @@ class Bound:
     def slopes_that_fit(self, free):
         """By how much the slopes of these tangents are to be larger. Light ones would turn far to stand in for heavy ones
         beside them: that is damped in proportion."""
-        columns = [({row.run: self.problem.runs[row.run].space.functional(at, 0, side)}, multiplier)
+        columns = [({row.run: self.problem.runs[row.run].cam_space.functional(at, 0, side)}, multiplier)
                    for row, multiplier, at, side in free]
         return self.fitted(columns, [free[0][1] / t[1] for t in free], [(t[0].functions(), t[1]) for t in self.tangents])
 
