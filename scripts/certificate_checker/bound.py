@@ -76,7 +76,7 @@ class Bound:
         return min(Fraction(0), term.weight * (1 - self.highest) / term.reference) if term.kind == "area" else Fraction(0)
 
     def supremum_of(self, run):
-        """Bounds of |y|, |y'|, |y''|, |y'''| on a run (None: none)."""
+        """Bounds of |y|, |y'|, |y''|, |y'''| on a run."""
         known = [farthest(self.problem, run, self.relaxed) or FARTHEST, None, None, None]
 
         def lower(order, size):
@@ -106,26 +106,16 @@ class Bound:
             elif order > 1:
                 beside = max(abs(state[order - 2]) for state in run.states)
             lower(order - 1, known[order] * reach + beside)
-        narrowest = min(run.space.width(i) for i in range(run.space.segments))
         for order in (1, 2, 3):
-            # Markov: a polynomial of degree d within B over a width h has a slope within 2 d^2 B / h.
-            d = run.space.degree - order + 1
-            if known[order - 1] is not None:
-                lower(order, 2 * d * d * known[order - 1] / narrowest)
+            lower(order, run.space.steepest(order, known[order - 1]))
         return known
 
     def cam_supremum(self, k):
-        """Bounds of |s|, |s'|, |s''|, |s'''| of the cam on a run (None: none)."""
-        weights, known, run = self.problem.to_cam, self.supremum[k], self.problem.runs[k]
-        if not weights:
-            return known
-        narrowest, higher = min(run.space.width(i) for i in range(run.space.segments)), list(known)
-        while len(higher) < 6:  # Markov
-            d = max(0, run.space.degree - len(higher) + 1)
-            higher.append(None if higher[-1] is None else 2 * d * d * higher[-1] / narrowest)
-        parts = [[abs(w) * higher[order + r] for r, w in enumerate(weights) if w] if
-                 all(higher[order + r] is not None for r, w in enumerate(weights) if w) else None for order in range(4)]
-        return [None if part is None else sum(part) for part in parts]
+        """Bounds of |s|, |s'|, |s''|, |s'''| of the cam on a run."""
+        weights, known = self.problem.to_cam or [1], list(self.supremum[k])
+        for order in range(4, 3 + len(weights)):
+            known.append(self.problem.runs[k].space.steepest(order, known[-1]))
+        return [sum(abs(w) * known[order + r] for r, w in enumerate(weights)) for order in range(4)]
 
     def bounded_by_sides(self, run, length, ends):
         """(order, what |y^(order)| can be): limits of one side that come in pairs bound a derivative; one of them the derivative
@@ -537,13 +527,13 @@ class Bound:
         self.residual = sum((abs(w) for (k, _), w in function.items() if k is None), Fraction(0)) * self.problem.farthest_level
         for k, (run, supremum) in enumerate(zip(self.problem.runs, self.supremum)):
             states, left = self.in_states(run, {j: w for (own, j), w in function.items() if own == k}, supremum, lambda row: row)
-            self.residual += self.largest_of(states + self.in_points(run, left, supremum))
+            self.residual += self.reach_of(states + self.in_points(run, left, supremum))
         self.remainders.append(None)
         return -constant - self.residual
 
     def under(self, run, function, supremum):
         """(constant, residual): the function of the spline is at least constant - residual."""
-        if run.is_fine() and supremum[run.top()] is not None:
+        if run.is_fine():
             return self.under_in_top(run, function, supremum)
         conditions = Conditions(run.conditions)
         if conditions.contradiction:
@@ -552,7 +542,7 @@ class Bound:
         left, constant = conditions.reduced(dict(function), Fraction(0))
         pieces = states + self.in_points(run, left, supremum)
         self.remainders.append((conditions, function, pieces))
-        return -constant, self.largest_of(pieces)
+        return -constant, self.reach_of(pieces)
 
     @staticmethod
     def in_states(run, function, supremum, reduced):
@@ -573,7 +563,7 @@ class Bound:
         return [({j: Fraction(1)}, w, supremum[0] * run.space.spread()) for j, w in function.items() if w]
 
     @staticmethod
-    def largest_of(pieces):
+    def reach_of(pieces):
         return sum((abs(w) * most for _, w, most in pieces), Fraction(0))
 
     def under_in_top(self, run, function, supremum):
@@ -582,8 +572,6 @@ class Bound:
         top = run.top()
         function, constant = run.conditions_in_top().reduced(run.in_top(function), Fraction(0))
         most = [self.at_start(run, order, supremum) for order in range(top)] + self.sizes_in_top(run, supremum)
-        if any(most[j] is None for j in function if j < top and function[j]):
-            raise Unverified("nothing bounds the motion")
         self.remainders.append(None)
         return -constant, sum((abs(w) * most[j] for j, w in function.items() if w), Fraction(0))
 
@@ -593,7 +581,7 @@ class Bound:
         times what those of the next derivative can be."""
         top, space = run.top(), run.space
         sizes = [supremum[top] * space.of_derivative(top).spread()] * (space.size - top)
-        if top == 3 or supremum[top + 1] is None:
+        if top == 3:
             return sizes
         growth = supremum[top + 1] * space.of_derivative(top + 1).spread()
         steps = [growth * step for step in space.steps(top + 1)]

@@ -42,6 +42,11 @@ class Space:
     def width(self, segment):
         return self.breakpoints[segment + 1] - self.breakpoints[segment]
 
+    def steepest(self, order, below):
+        """The largest derivative of this order, from that of the one below it. Markov: a polynomial of degree d within B over a width h has a
+        slope within 2 d^2 B / h."""
+        return 2 * max(0, self.degree - order + 1)**2 * below / min(self.width(i) for i in range(self.segments))
+
     def basis(self, segment):
         """Cox and de Boor: the polynomials of t = x - left end that the control points are multiplied by."""
         if segment not in self.known:
