@@ -36,14 +36,14 @@ double least_value(const Parameter& parameter, double farthest) {
     return std::min(0.0, std::max(parameter.lower, (1.0 - farthest) / parameter.reference));
 }
 
-/// |y^{(order)}| on the splines by limits on it to both sides; infinite where one is not limited.
-double limited_derivative(const CamModel& model, int order, double relaxation) {
+/// What −y^{(order)} and y^{(order)} can be on the splines by limits on them; infinite where one has none.
+std::array<double, 2> limited_sides(const CamModel& model, int order, double relaxation) {
     const auto value = [](const PointRule& rule, int moved) {
         MotionPoint point;
         if (moved > 0) point.derivative[static_cast<std::size_t>(moved)] = 1.0;
         return rule.evaluate(point, {}).value;
     };
-    double largest = 0.0;
+    std::array<double, 2> sides = {-infinity, -infinity};
     const auto& stretches = model.design.own_stretches();
     for (int s = 0; s < static_cast<int>(stretches.size()); ++s) {
         if (stretches[s].kind != StretchRequest::Kind::spline) continue;
@@ -62,10 +62,20 @@ double limited_derivative(const CamModel& model, int order, double relaxation) {
             const double bound = (relaxation - rest) / slope;
             side = slope > 0.0 ? std::min(side, bound) : std::max(side, bound);
         }
-        largest = std::max({largest, std::abs(least), std::abs(most)});
+        sides = {std::max(sides[0], -least), std::max(sides[1], most)};
     }
-    if (largest > 0.0) return largest;
-    return infinity;
+    if (sides[1] == -infinity) sides.fill(infinity);  // only laws and dwells
+    return sides;
+}
+
+/// How fast y … y'' can rise, or how fast they can fall, by limits on the next derivative to one side.
+std::array<double, 3> limited_to_one_side(const CamModel& model, double relaxation) {
+    std::array<double, 3> fastest{};
+    for (int r = 0; r < 3; ++r) {
+        const auto [falls, rises] = limited_sides(model, r + 1, relaxation);
+        fastest[r] = std::max(0.0, std::min(falls, rises));
+    }
+    return fastest;
 }
 
 /// What the terms cost at least.
@@ -223,8 +233,10 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, const Con
         const double normalised = known.parameters[p] * parameter.reference;
         bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
-    for (int order = 1; order < 4 && motions.within_limits; ++order)
-        known.sup[order] = std::min(known.sup[order], limited_derivative(model, order, motions.slack()));
+    for (int order = 1; order < 4 && motions.within_limits; ++order) {
+        const auto [falls, rises] = limited_sides(model, order, motions.slack());
+        known.sup[order] = std::min(known.sup[order], std::max(std::abs(falls), std::abs(rises)));
+    }
     if (model.motor) bound_by_motor(model, known, relaxation);
     bound_lower_derivatives(model.design, known.sup);
     return known;
@@ -239,6 +251,7 @@ Box CamProblem::box(double incumbent, double relaxation) const {
     // Displacements at joints are bounded by the velocity and the known start.
     const double reach = std::min(known.sup[0], known.sup[1] * (family.end() - family.begin()));
     const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
+    const std::array<double, 3> one_sided = limited_to_one_side(model, std::max(relaxed_limits, relaxation));
     std::array<double, 4> own{};  // bounds on |y^{(r)}| over all runs
     for (int r = 0; r < family.runs(); ++r) {
         const DesignVector& run = family.run(r);
@@ -246,6 +259,13 @@ Box CamProblem::box(double incumbent, double relaxation) const {
         if (family.first_joint_entry() < family.size()) {
             bounds.rms.fill(infinity);
             bounds.begin_state = bounds.end_state = joint_bound;
+        }
+        // From the state at the beginning and to that at the end.
+        for (int order = 0; order < 3; ++order) {
+            const double ends =
+                std::max(std::abs(bounds.begin_state[order]), std::abs(bounds.end_state[order]));
+            const double length = run.space().end() - run.space().begin();
+            bounds.sup[order] = std::min(bounds.sup[order], ends + one_sided[order] * length);
         }
         const Eigen::MatrixXd derivatives = derivative_bounds(run.space(), bounds);
         box.upper.segment(family.first_entry(r), run.size()) = run.entry_bounds(derivatives);
