@@ -139,6 +139,23 @@ TEST(DualityProof, MultipliersAreSharpenedToRounding) {
     EXPECT_EQ(proof.bound, recomputed_bound(proof));
 }
 
+TEST(DualityProof, NumbersBeyondSquaresAreLeft) {
+    DualityProof proof;  // min x0 subject to 1e200 x0 >= 1e200
+    proof.variables = {"x0"};
+    proof.cost = Eigen::VectorXd::Constant(1, 1.0);
+    proof.matrix.resize(1, 1);
+    proof.matrix.insert(0, 0) = 1e200;
+    proof.lower = Eigen::VectorXd::Constant(1, 1e200);
+    proof.upper = Eigen::VectorXd::Constant(1, infinity);
+    proof.multipliers = Eigen::VectorXd::Constant(1, -0.9e-200);
+    proof.box = {Eigen::VectorXd::Constant(1, -2.0), Eigen::VectorXd::Constant(1, 2.0)};
+    proof.bound = recomputed_bound(proof);
+    const double before = proof.bound;
+    sharpen(proof, 1.0);
+    EXPECT_EQ(proof.bound, before);
+    EXPECT_NEAR(before, 0.7, 1e-12);
+}
+
 /// min w m + x, x in [0, 1], a peak m >= x.
 class LittleWeight final : public Nlp {
  public:
