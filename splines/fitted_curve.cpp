@@ -184,6 +184,17 @@ struct Found {
     std::array<double, 4> variance{};
 };
 
+/// Numbers of segments that are tried.
+std::vector<double> tried_segments(double most) {
+    std::vector<double> tried;
+    double segments = first_segments;
+    while (segments <= most) {
+        tried.push_back(segments);
+        segments *= more_segments;
+    }
+    return tried;
+}
+
 Found fitted(const Stretch& once, bool periodic, double advance, double most) {
     const std::size_t count = once.own_rows();
     const auto rows = static_cast<double>(count);
@@ -195,7 +206,7 @@ Found fitted(const Stretch& once, bool periodic, double advance, double most) {
     std::unique_ptr<Stretch> best_rows;
     double least = infinity;
     int freedom = 0;
-    for (double segments = first_segments; segments <= most; segments *= more_segments) {
+    for (const double segments : tried_segments(most)) {
         const double wanted = rows / segments;
         std::vector<double> breakpoints = breakpoints_of(once.joints, once.x, wanted);
         const int own = static_cast<int>(breakpoints.size()) - 1;

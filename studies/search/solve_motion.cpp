@@ -18,6 +18,8 @@ namespace {
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
+// Of a small gap: what closes it at all does so at once, else the next backend may.
+constexpr double nearly_proved = 1e-4, share_where_nearly_proved = 0.05;
 // Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
 constexpr double fine_shift = 1e-11;
 constexpr long long long_patience = 60;
@@ -90,7 +92,10 @@ void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProble
 /// failure, and where another backend follows all together take half of the time.
 void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exchange,
                 const JudgeOptions& judge, CamProblem& problem, ContinuousResult& result) {
-    const double share = run.plan.next_solver.empty() ? 1.0 : share_of_first;
+    const bool nearly = result.certificate.gap.value_or(infinity) <= nearly_proved;
+    const double share = run.plan.next_solver.empty() ? 1.0
+                         : nearly                     ? share_where_nearly_proved
+                                                      : share_of_first;
     const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
     const PlannedRun part{run.posed, run.plan, timed, run.known};
     exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
