@@ -173,9 +173,7 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Solv
         DualityProof proof = duality_proof(elastic.grid(), x, *result.last.row_multipliers,
                                            elastic.box(result.best.objective, 0.0), "least_common_violation");
         const double least = x[x.size() - 1];
-        // Of a look that only decides, and of a rough one, any proof or none will do.
-        const double wanted = options.decides_only ? options.tolerance : well_proved * least;
-        if (proof.bound < wanted && options.tolerance < first_look) sharpen(proof, least);
+        if (proof.bound < well_proved * least) sharpen(proof, least);
         if (proof.bound > least_contradiction) found.proof = std::move(proof);
     }
     return found;

@@ -115,7 +115,7 @@ class Answers(Served):
         self.assertTrue(controls["cam.base_radius_mm"]["may_range"])
         self.assertFalse(controls["limits.cam_radius_min_mm"]["given"])
         self.assertEqual(controls["motion.speed_rpm"]["value"], 240)
-        self.assertEqual(controls["spline.degree"]["choices"], [3, 5])
+        self.assertEqual(controls["spline.degree"]["choices"], [3, 5, 7])
         self.assertNotIn("limits.torque_nm", controls, "a limit on forces needs [forces]")
         self.assertNotIn("cam_radius_min", answer["scene"])
 
