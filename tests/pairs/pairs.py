@@ -141,7 +141,7 @@ REFUSED = [
      ["valve", "valve in inches", "laws on an elastic train", "given plate", "given guide"]),
     ("the acceleration jumps at", ["codesys", "twincat", "twincat7"], ["given plate", "given guide"]),
     ("the jerk jumps at", ["twincat7"], [kind for kind in KINDS if kind not in SMOOTH]),
-    ("found an open one", ["STEP", "NC"], ["cam for an output on an elastic train"]),
+    ("found an open one", ["STEP", "STL", "NC"], ["cam for an output on an elastic train"]),
     (r"found a given cam without \[objective\]", ["comparison"], ["given disk in inches"]),
 ]
 
