@@ -210,7 +210,7 @@ class BoxProof:
             raise Refuted(f"a step speaks of x = {float(at)}, outside the motion")
         if stretch.kind != "dwell":
             raise Unverified("a bound over boxes along a law")
-        level = stretch.start * (self.problem.to_cam[0] if self.problem.to_cam else 1)
+        level = self.problem.cam_at_rest(stretch.start)
         return {}, level if order == 0 else Fraction(0), None, stretch
 
     # -- steps

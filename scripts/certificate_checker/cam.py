@@ -382,7 +382,7 @@ class Cam:
         levels = {level for s in self.problem.stretches for level in (s.start, s.to)}
         for level in levels | ({Fraction(1)} if self.problem.type == "RR" else set()):
             for sign in (1, -1):
-                rest = [enclosures.interval(level * (self.problem.to_cam[0] if self.problem.to_cam else 1))[0], 0, 0]
+                rest = [enclosures.interval(self.problem.cam_at_rest(level))[0], 0, 0]
                 if any(enclosures.at_place(f, rest).value[1] > 0 for f in self.as_found.pressures(least, sign)):
                     raise Refuted("the pressure angle at rest passes its limit")
 

@@ -63,7 +63,7 @@ class Harmonics:
             if s.kind != "spline":
                 if s.kind == "law" and polynomial_of(s.law) is None:
                     raise Unverified(f"harmonics of the law {s.law}")
-                known = known + self.along(self.polynomial(s, problem.to_cam), s.begin, s.end, powers,
+                known = known + self.along(self.polynomial(s), s.begin, s.end, powers,
                                            [self.turned(order, x) for x in (s.begin, s.end)])
         rows = []
         for run in problem.runs:
@@ -86,11 +86,10 @@ class Harmonics:
         low, high = part.value
         return fraction((low + high) // 2), fraction(high - low + 1)
 
-    @staticmethod
-    def polynomial(stretch, to_cam):
+    def polynomial(self, stretch):
         """y by x from the stretch's beginning; the cam's where that of the output is prescribed."""
         if stretch.kind == "dwell":
-            return [stretch.start * (to_cam[0] if to_cam else 1)]
+            return [self.problem.cam_at_rest(stretch.start)]
         rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
         own = [rise * c / length**m for m, c in enumerate(polynomial_of(stretch.law))]
         return [own[0] + stretch.start] + own[1:]

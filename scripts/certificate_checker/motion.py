@@ -133,7 +133,7 @@ class Curve:
             else:
                 law = stretch.law if stretch.kind == "law" else None
                 rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
-                rest = stretch.start * (self.problem.to_cam[0] if self.problem.to_cam else 1)
+                rest = self.problem.cam_at_rest(stretch.start)
                 if not is_same(part["law"], law) or abs(number(part["y0"]) - rest) > STATED or \
                         (law and (abs(number(part["y_scale"]) - rise) > STATED or abs(number(part["x_scale"]) - length) > STATED or
                                   abs(number(part["x0"]) - stretch.begin - by) > STATED)):

@@ -86,6 +86,10 @@ class Problem:
         for run in self.runs:
             run.cam_space = CamSpace(run.space, self.to_cam)
 
+    def cam_at_rest(self, level):
+        """Where the cam stands while the motion rests at a level."""
+        return level * self.to_cam[0] if self.to_cam else level
+
     def least_cost(self):
         """What dimensions cost at least: the peaks share the rest."""
         return self.cam.least_cost() if self.cam and self.cam.judged else Fraction(0)

@@ -242,7 +242,7 @@ class Train:
         # At rest, and while it rings: |e| <= amplitude, |e'| <= w amplitude.
         still = self.share * self.preload - wanted
         amplitude = Jet.number(Fraction(0), self.residual_after(curve, k)[1])
-        begin, end = (self.share * rest * (level * (self.problem.to_cam[0] if self.problem.to_cam else 1))
+        begin, end = (self.share * rest * self.problem.cam_at_rest(level)
                       for level in self.problem.runs[k].ends())
         ringing = still + end - amplitude * (self.share + two * self.damping)
         if (still + begin).value[0] < 0 or ringing.value[0] < 0:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The designed motion over one revolution, as pieces with enclosures.
+"""The designed motion of the cam over one revolution, as pieces with enclosures.
 
 The motion is the exact spline that certificate_checker.motion constructs from the delivered numbers, next to the scene's
-own laws and dwells. x counts in the scene's unit angle, y in lifts.
+own laws and dwells; where that of an output is prescribed, what the cam does for it. x counts in the scene's unit angle, y in lifts.
 """
 import bisect
 import collections
@@ -64,7 +64,7 @@ class DesignedMotion:
             pieces += spline_pieces(curve, by)
             for stretch in self.problem.stretches:
                 if stretch.kind != "spline":
-                    pieces += law_pieces(stretch, by)
+                    pieces += law_pieces(self.problem, stretch, by)
         pieces.sort(key=lambda piece: piece.begin)
         end = length * self.problem.copies
         if end > self.turn * (1 + SAME_TURN):
@@ -73,7 +73,7 @@ class DesignedMotion:
             raise Refuted("the motion's segments do not cover the revolution")
         if end < self.turn * (1 - SAME_TURN) and self.rests:  # the follower rests for the remainder
             before = (self.turn - end) / 2 if self.is_open else 0
-            first, last = self.problem.stretches[0].start, self.problem.stretches[-1].to
+            first, last = (self.problem.cam_at_rest(level) for level in (self.problem.stretches[0].start, self.problem.stretches[-1].to))
             pieces.append(MotionPiece(end, self.turn - before, at_rest(last)))
             pieces[:0] = [MotionPiece(-before, Fraction(0), at_rest(first))] if before else []
         return pieces
@@ -115,7 +115,7 @@ def exact_motion(scene, design):
 
 def spline_pieces(curve, by):
     pieces = []
-    for run, own in zip(curve.problem.runs, curve.pieces):
+    for run, own in zip(curve.problem.runs, curve.cam_pieces()):
         for polynomial, width, left, stretch in own:
             begin = left - run.begin_of(stretch) + stretch.begin + by
             pieces.append(MotionPiece(begin, begin + width, along_polynomial(polynomial, begin)))
@@ -142,9 +142,9 @@ def at_rest(level):
     return lambda x: own
 
 
-def law_pieces(stretch, by):
+def law_pieces(problem, stretch, by):
     if stretch.kind == "dwell":
-        return [MotionPiece(stretch.begin + by, stretch.end + by, at_rest(stretch.start))]
+        return [MotionPiece(stretch.begin + by, stretch.end + by, at_rest(problem.cam_at_rest(stretch.start)))]
     length = stretch.end - stretch.begin
     pieces = []
     for begin, end, motion in parts_along(stretch, ORDERS):
