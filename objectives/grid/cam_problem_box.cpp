@@ -68,16 +68,6 @@ std::array<double, 2> limited_sides(const CamModel& model, int order, double rel
     return sides;
 }
 
-/// How fast y … y'' can rise, or how fast they can fall, by limits on the next derivative to one side.
-std::array<double, 3> limited_to_one_side(const CamModel& model, double relaxation) {
-    std::array<double, 3> fastest{};
-    for (int r = 0; r < 3; ++r) {
-        const auto [falls, rises] = limited_sides(model, r + 1, relaxation);
-        fastest[r] = std::max(0.0, std::min(falls, rises));
-    }
-    return fastest;
-}
-
 /// What the terms cost at least.
 double least_cost_of(const CamModel& model, double farthest) {
     double least = 0.0;
@@ -138,6 +128,8 @@ struct CamProblem::Considered {
 struct CamProblem::SupportedBounds {
     Eigen::VectorXd parameters;      ///< upper bounds, in units of their references
     std::array<double, 4> sup, rms;  ///< of |y^{(r)}| and of its root mean square, anywhere
+    /// How fast y … y'' can rise, or how fast they can fall, by limits on the next derivative to one side.
+    std::array<double, 3> one_sided;
 };
 
 /// From rest, τ = K_a y'' + K_v y' + K_0 ± K_f is a stable equation for y': over the length L of the motion
@@ -202,9 +194,10 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, const Con
     const CamModel& model = *model_;
     const double relaxation = motions.relaxation;
     const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
-    SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
+    SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}, {}};
     known.sup.fill(infinity);
     known.rms.fill(infinity);
+    known.one_sided.fill(infinity);
     known.sup[0] = farthest;
     // A term costs at most what the incumbent leaves it where every other one is at its least.
     const double least = least_cost_of(model, farthest);
@@ -236,6 +229,7 @@ CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, const Con
     for (int order = 1; order < 4 && motions.within_limits; ++order) {
         const auto [falls, rises] = limited_sides(model, order, motions.slack());
         known.sup[order] = std::min(known.sup[order], std::max(std::abs(falls), std::abs(rises)));
+        known.one_sided[order - 1] = std::max(0.0, std::min(falls, rises));
     }
     if (model.motor) bound_by_motor(model, known, relaxation);
     bound_lower_derivatives(model.design, known.sup);
@@ -251,7 +245,6 @@ Box CamProblem::box(double incumbent, double relaxation) const {
     // Displacements at joints are bounded by the velocity and the known start.
     const double reach = std::min(known.sup[0], known.sup[1] * (family.end() - family.begin()));
     const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
-    const std::array<double, 3> one_sided = limited_to_one_side(model, std::max(relaxed_limits, relaxation));
     std::array<double, 4> own{};  // bounds on |y^{(r)}| over all runs
     for (int r = 0; r < family.runs(); ++r) {
         const DesignVector& run = family.run(r);
@@ -261,11 +254,11 @@ Box CamProblem::box(double incumbent, double relaxation) const {
             bounds.begin_state = bounds.end_state = joint_bound;
         }
         // From the state at the beginning and to that at the end.
+        const double length = run.space().end() - run.space().begin();
         for (int order = 0; order < 3; ++order) {
             const double ends =
                 std::max(std::abs(bounds.begin_state[order]), std::abs(bounds.end_state[order]));
-            const double length = run.space().end() - run.space().begin();
-            bounds.sup[order] = std::min(bounds.sup[order], ends + one_sided[order] * length);
+            bounds.sup[order] = std::min(bounds.sup[order], ends + known.one_sided[order] * length);
         }
         const Eigen::MatrixXd derivatives = derivative_bounds(run.space(), bounds);
         box.upper.segment(family.first_entry(r), run.size()) = run.entry_bounds(derivatives);

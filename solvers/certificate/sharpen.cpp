@@ -180,9 +180,8 @@ void sharpen(DualityProof& proof, double target) {
         free.push_back(proof.upper[i] - proof.lower[i] < infinity);
     }
     const Eigen::MatrixXd columns = parts(Eigen::all, active);
-    const double farther = std::max(1.0, proof.multipliers.cwiseAbs().maxCoeff()) * columns.norm();
-    if (active.empty() || !std::isfinite(farther * farther))
-        return;  // numbers beyond what squares of doubles hold
+    const double most = std::max(1.0, proof.multipliers.cwiseAbs().maxCoeff()) * columns.norm();
+    if (active.empty() || !std::isfinite(most * most)) return;  // numbers beyond what squares of doubles hold
     Eigen::VectorXd wanted(costs.size() + 1);
     wanted << -costs.cwiseProduct(proof.cost(zero)), proof.constant - target;
     const Eigen::VectorXd found =

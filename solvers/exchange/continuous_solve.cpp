@@ -299,8 +299,9 @@ void search_with_room(ContinuousResult& result, ContinuousProblem& problem, cons
     found.exchange.rounds += result.exchange.rounds;
     found.exchange.iterations += result.exchange.iterations;
     found.inside.violation += slack;
-    found.certificate.proof->limits_relaxed_by += slack;
-    found.proof_source += ", limits relaxed";
+    double& relaxed_by = found.certificate.proof->limits_relaxed_by;
+    if (relaxed_by == 0.0) found.proof_source += ", limits relaxed";
+    relaxed_by += slack;
     result = std::move(found);
 }
 

@@ -29,6 +29,11 @@ bool is_proved(const ContinuousResult& result) {
            result.certificate.verdict == Verdict::infeasible;
 }
 
+/// Whether a proof is one for relaxed limits: only their tolerance gives the problem room.
+bool is_relaxed(const Certificate& certificate) {
+    return certificate.proof && certificate.proof->limits_relaxed_by > 0.0;
+}
+
 /// Keeps the better of two results: what proves more, of what does not the motion of the least objective with
 /// the largest bound of either. Whether it is the motion of `other`.
 bool keep_better(ContinuousResult& result, ContinuousResult other, const JudgeOptions& judge) {
@@ -46,7 +51,7 @@ bool keep_better(ContinuousResult& result, ContinuousResult other, const JudgeOp
     if (takes) std::swap(result, other);
     Certificate& kept = result.certificate;
     Certificate& left = other.certificate;  // its bound is one for all motions that are no worse than its own
-    if (is_proved(result) || result.x.size() == 0 || !left.proof || left.proof->limits_relaxed_by != 0.0 ||
+    if (is_proved(result) || result.x.size() == 0 || !left.proof || is_relaxed(left) ||
         left.lower_bound <= kept.lower_bound ||
         bound_passes(kept.objective, *left.lower_bound, judge.tolerance) ||
         !(kept.objective <= left.objective))
@@ -67,16 +72,12 @@ void try_again(const PlannedRun& run, const Solver& solver, const ExchangeOption
     keep_better(result, solve_continuous(problem, solver, exchange, judge, run.control), judge);
 }
 
-/// Whether only the tolerance of its limits gives the problem room: there no backend finds more.
-bool has_no_room(const ContinuousResult& result) {
-    return result.certificate.proof && result.certificate.proof->limits_relaxed_by > 0.0;
-}
-
-/// Problems whose numbers are hard: another backend tries from the same grid.
+/// Problems whose numbers are hard: another backend tries from the same grid. Where only the tolerance gives
+/// room none finds more.
 void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProblem& problem,
                      ContinuousResult& result, Solution& solution) {
-    if (run.plan.next_solver.empty() || is_proved(result) || has_no_room(result) || run.control.ending())
-        return;
+    if (run.plan.next_solver.empty() || is_proved(result) || is_relaxed(result.certificate)) return;
+    if (run.control.ending()) return;
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.backend.native.clear();  // they belong to the first backend
     exchange.backend.max_iterations = std::min(exchange.backend.max_iterations, most_iterations_of_next);
@@ -89,13 +90,13 @@ void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProble
 }
 
 /// With finer and more patient steps, then with exact ones, from the same grid. Each ends at the first
-/// failure, and where another backend follows all together take half of the time.
+/// failure, and where another backend follows all together take a share of the time.
 void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exchange,
                 const JudgeOptions& judge, CamProblem& problem, ContinuousResult& result) {
-    const bool nearly = result.certificate.gap.value_or(infinity) <= nearly_proved;
-    const double share = run.plan.next_solver.empty() ? 1.0
-                         : nearly                     ? share_where_nearly_proved
-                                                      : share_of_first;
+    double share = 1.0;
+    if (!run.plan.next_solver.empty())
+        share = result.certificate.gap.value_or(infinity) <= nearly_proved ? share_where_nearly_proved
+                                                                           : share_of_first;
     const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
     const PlannedRun part{run.posed, run.plan, timed, run.known};
     exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
@@ -190,9 +191,8 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
 bool serves_other_weights(const PlannedRun& run, const ContinuousResult& result) {
     const Certificate& certificate = result.certificate;
     return run.plan.convex && run.posed.units.are_its_own() && certificate.verdict == Verdict::optimal &&
-           certificate.proof_kind == ProofKind::duality && certificate.proof &&
-           certificate.proof->limits_relaxed_by == 0.0 && result.proof_source == run.plan.solver &&
-           result.exchange.last.row_multipliers;
+           certificate.proof_kind == ProofKind::duality && certificate.proof && !is_relaxed(certificate) &&
+           result.proof_source == run.plan.solver && result.exchange.last.row_multipliers;
 }
 
 /// Takes the certificate of `result`.
