@@ -18,7 +18,7 @@ import session  # noqa: E402
 
 class CppKernel(Kernel):
     implementation = "camopt-cpp"
-    implementation_version = "0.3.0"
+    implementation_version = "0.4.0"
     language = "C++"
     language_version = "20"
     banner = "C++20 with camopt"
