@@ -66,7 +66,7 @@ function(camopt_add_test name)
     if(filter_${tier} MATCHES "^(-|$)")
       continue()  # no pattern of this tier
     endif()
-    gtest_discover_tests(${name} TEST_FILTER "${filter_${tier}}" TEST_LIST ${name}_${tier} DISCOVERY_TIMEOUT 60
+    gtest_discover_tests(${name} TEST_FILTER "${filter_${tier}}" TEST_LIST ${name}_${tier} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
       PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS ${tier} COST ${cost_${tier}} ENVIRONMENT "${arg_ENVIRONMENT}")
   endforeach()
 endfunction()

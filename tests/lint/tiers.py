@@ -28,28 +28,23 @@ NAMED = 2.0  # times the limit
 FOUND = 78  # exit status: findings in tests that work
 
 
-def plain(name):
-    """A case's name without the value of its parameter, which ctest prints after it."""
-    return name.split("  # GetParam", 1)[0].strip()
-
-
 def labels_of_build(build):
     """{test: labels}."""
     output = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True).stdout
-    return {plain(test["name"]): [label for one in test.get("properties", []) if one["name"] == "LABELS" for label in one["value"]]
+    return {test["name"]: [label for one in test.get("properties", []) if one["name"] == "LABELS" for label in one["value"]]
             for test in json.loads(output)["tests"] if not test["name"].endswith("_NOT_BUILT")}
 
 
 def times_of_run(file):
     """{test: seconds} of what ran."""
-    return {plain(case.get("name")): float(case.get("time"))
+    return {case.get("name"): float(case.get("time"))
             for case in xml.etree.ElementTree.parse(file).iter("testcase") if case.get("status") in ("run", "fail")}
 
 
 def seconds_alone(build, name, most):
     """Of one more run without company, ended after `most` seconds; what a fixture prepared is still there."""
     with tempfile.NamedTemporaryFile(suffix=".xml") as file:
-        pattern = "^" + re.sub(r"([][.^$*+?()\\|])", r"\\\1", name) + "( |$)"
+        pattern = "^" + re.sub(r"([][.^$*+?()\\|])", r"\\\1", name) + "$"
         subprocess.run(["ctest", "--test-dir", build, "-R", pattern, "-FA", ".*", "--timeout", f"{most:g}",
                         "--output-junit", file.name],
                        capture_output=True, check=False)
