@@ -11,7 +11,7 @@ CAMOPT, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 sys.argv[1:] = []
 
 # A program whose fault needs two keys, one number above a bound and one entry of an array.
-FAULTY = """#!/usr/bin/env python3
+FAULTY = f"#!{sys.executable} -SE\n" + """
 import json, sys, tomllib
 scene = tomllib.load(open(sys.argv[2], "rb"))
 if "type" not in scene.get("motion", {}):
