@@ -5,10 +5,10 @@ Theorem. Let "function_i(y) - peak_i <= most_i" be rows that every motion y of t
 
     objective(y) >= sum over peaks of (weight - sum of their m_i) * peak - sum m_i most_i + f(y),   f = sum m_i function_i,
 
-f linear in the control points. Conditions of the scene reduce f to fewer control points; what remains of it, rounding, is bounded by what
-derivatives of y can be (`supremum_of`): a motion better than the delivered one has peaks below objective / weight, and limits bound it too.
-So no motion is below `value`; without an objective a value above 0 is a contradiction: there is no motion. Assumptions: the rows are
-derived from the scene (the file only names them), and their multipliers are arbitrary.
+f linear in the control points. Conditions of the scene reduce f to fewer control points; what remains of it, rounding, is a sum of y, y', y'' and
+y''' at breakpoints (small_sums.py), bounded by what these can be (`supremum_of`): a motion better than the delivered one has peaks below
+objective / weight, and limits bound it too. So no motion is below `value`; without an objective a value above 0 is a contradiction: there is
+no motion. Assumptions: the rows are derived from the scene (the file only names them), and their multipliers are arbitrary.
 """
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, add_to, derivative, integral, number, product, root
@@ -18,6 +18,7 @@ from .origins import Origin
 from .prescribed import limits_at, value_beside
 from .rational import Fraction
 from .runs import Row
+from .small_sums import small_sum
 from .strokes import farthest, stroke_of
 from .phase_rows import add_phase_row, use_phase_rows
 
@@ -26,6 +27,7 @@ MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
 LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
 ROUNDED = Fraction(1, 10**9)  # what rounding may leave of a bound before multipliers are corrected
+OTHER_MEANS = "root mean squares at other motions"  # tangents at which could say more
 FARTHEST = Fraction(1000)    # lifts: no motion beyond is considered where nothing else bounds it
 
 
@@ -74,7 +76,7 @@ class Bound:
         return min(Fraction(0), term.weight * (1 - self.highest) / term.reference) if term.kind == "area" else Fraction(0)
 
     def supremum_of(self, run):
-        """Bounds of |y|, |y'|, |y''|, |y'''| on a run (None: none)."""
+        """Bounds of |y|, |y'|, |y''|, |y'''| on a run."""
         known = [farthest(self.problem, run, self.relaxed) or FARTHEST, None, None, None]
 
         def lower(order, size):
@@ -104,26 +106,16 @@ class Bound:
             elif order > 1:
                 beside = max(abs(state[order - 2]) for state in run.states)
             lower(order - 1, known[order] * reach + beside)
-        narrowest = min(run.space.width(i) for i in range(run.space.segments))
         for order in (1, 2, 3):
-            # Markov: a polynomial of degree d within B over a width h has a slope within 2 d^2 B / h.
-            d = run.space.degree - order + 1
-            if known[order - 1] is not None:
-                lower(order, 2 * d * d * known[order - 1] / narrowest)
+            lower(order, run.space.steepest(order, known[order - 1]))
         return known
 
     def cam_supremum(self, k):
-        """Bounds of |s|, |s'|, |s''|, |s'''| of the cam on a run (None: none)."""
-        weights, known, run = self.problem.to_cam, self.supremum[k], self.problem.runs[k]
-        if not weights:
-            return known
-        narrowest, higher = min(run.space.width(i) for i in range(run.space.segments)), list(known)
-        while len(higher) < 6:  # Markov
-            d = max(0, run.space.degree - len(higher) + 1)
-            higher.append(None if higher[-1] is None else 2 * d * d * higher[-1] / narrowest)
-        parts = [[abs(w) * higher[order + r] for r, w in enumerate(weights) if w] if
-                 all(higher[order + r] is not None for r, w in enumerate(weights) if w) else None for order in range(4)]
-        return [None if part is None else sum(part) for part in parts]
+        """Bounds of |s|, |s'|, |s''|, |s'''| of the cam on a run."""
+        weights, known = self.problem.to_cam or [1], list(self.supremum[k])
+        for order in range(4, 3 + len(weights)):
+            known.append(self.problem.runs[k].space.steepest(order, known[-1]))
+        return [sum(abs(w) * known[order + r] for r, w in enumerate(weights)) for order in range(4)]
 
     def bounded_by_sides(self, run, length, ends):
         """(order, what |y^(order)| can be): limits of one side that come in pairs bound a derivative; one of them the derivative
@@ -338,7 +330,7 @@ class Bound:
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
         problem = self.problem
         if problem.free and any(term.kind.endswith("rms") and term.weight for term in problem.terms):  # each case has its own best motion
-            self.left_out.setdefault("root mean squares at other motions", Fraction(0))
+            self.leave_out(OTHER_MEANS, Fraction(0))
         if self.motor:
             self.motor.use_terms(curve)
         for t, term in enumerate(problem.terms):
@@ -415,7 +407,7 @@ class Bound:
     def slopes_that_fit(self, free):
         """By how much the slopes of these tangents are to be larger. Light ones would turn far to stand in for heavy ones
         beside them: that is damped in proportion."""
-        columns = [({row.run: self.problem.runs[row.run].space.functional(at, 0, side)}, multiplier)
+        columns = [({row.run: self.problem.runs[row.run].cam_space.functional(at, 0, side)}, multiplier)
                    for row, multiplier, at, side in free]
         return self.fitted(columns, [free[0][1] / t[1] for t in free], [(t[0].functions(), t[1]) for t in self.tangents])
 
@@ -534,46 +526,45 @@ class Bound:
         function, constant = conditions.reduced(self.named(dict(enumerate(self.functions))), Fraction(0))
         self.residual = sum((abs(w) for (k, _), w in function.items() if k is None), Fraction(0)) * self.problem.farthest_level
         for k, (run, supremum) in enumerate(zip(self.problem.runs, self.supremum)):
-            self.residual += self.by_parts(run, {j: w for (own, j), w in function.items() if own == k}, supremum)[0]
+            states, left = self.in_states(run, {j: w for (own, j), w in function.items() if own == k}, supremum, lambda row: row)
+            self.residual += self.reach_of(states + self.in_points(run, left, supremum))
         self.remainders.append(None)
         return -constant - self.residual
 
     def under(self, run, function, supremum):
         """(constant, residual): the function of the spline is at least constant - residual."""
-        if run.is_fine() and supremum[run.top()] is not None:
+        if run.is_fine():
             return self.under_in_top(run, function, supremum)
         conditions = Conditions(run.conditions)
         if conditions.contradiction:
             raise Unverified("conditions that contradict each other")
-        original = dict(function)
-        function, constant = conditions.reduced(function, Fraction(0))
-        best, remainder = self.by_parts(run, function, supremum)
-        self.remainders.append((conditions, original, remainder))
-        return -constant, best
+        states, function = self.in_states(run, function, supremum, lambda row: conditions.reduced(dict(row), Fraction(0))[0])
+        left, constant = conditions.reduced(dict(function), Fraction(0))
+        pieces = states + self.in_points(run, left, supremum)
+        self.remainders.append((conditions, function, pieces))
+        return -constant, self.reach_of(pieces)
 
-    def by_parts(self, run, function, supremum):
-        """(the largest that a function of the control points can be, the order of the derivative by whose control points that is found
-        and how)."""
-        weights = [function.get(j, Fraction(0)) for j in range(run.space.size)]
-        best, rest, starts = None, Fraction(0), []
-        for order in range(0, min(3, run.space.continuity + 1) + 1):
-            if order > 0:
-                start, weights = run.space.raised(weights, order)
-                known = self.at_start(run, order - 1, supremum)
-                if rest is None or (start and known is None):
-                    rest = None
-                elif start:
-                    rest += abs(start) * known
-                starts = starts + [(order - 1, start, known)]
-            if supremum[order] is None or rest is None:
-                continue
-            size = sum((abs(w) for w in weights), Fraction(0))
-            bound = rest + size * supremum[order] * run.space.spread(order)
-            if best is None or bound < best:
-                best, remainder = bound, (order, weights, starts, supremum[order] * run.space.spread(order))
-        if best is None:
-            raise Unverified("nothing bounds the motion")
-        return best, remainder
+    @staticmethod
+    def in_states(run, function, supremum, reduced):
+        """([(row, times what, the largest it can be)], what is left of the function): states at breakpoints whose sum, as far as it counts
+        once it is reduced, is the function but for rounding."""
+        rows = [(row, supremum[order]) for order, row in run.space.at_breakpoints() if supremum[order]]
+        parts = [{j: float(w / most) for j, w in reduced(row).items() if w} for row, most in rows]
+        factors = small_sum({j: float(w) for j, w in reduced(function).items() if w}, parts, float(supremum[0] * run.space.spread()))
+        left = dict(function)
+        states = [(row, number(factor) / most, most) for factor, (row, most) in zip(factors, rows) if factor]
+        for row, weight, _ in states:
+            add_to(left, row, -weight)
+        return states, left
+
+    @staticmethod
+    def in_points(run, function, supremum):
+        """The same by single control points."""
+        return [({j: Fraction(1)}, w, supremum[0] * run.space.spread()) for j, w in function.items() if w]
+
+    @staticmethod
+    def reach_of(pieces):
+        return sum((abs(w) * most for _, w, most in pieces), Fraction(0))
 
     def under_in_top(self, run, function, supremum):
         """The same where some segments are far narrower than others: conditions solved in control points of a
@@ -581,8 +572,6 @@ class Bound:
         top = run.top()
         function, constant = run.conditions_in_top().reduced(run.in_top(function), Fraction(0))
         most = [self.at_start(run, order, supremum) for order in range(top)] + self.sizes_in_top(run, supremum)
-        if any(most[j] is None for j in function if j < top and function[j]):
-            raise Unverified("nothing bounds the motion")
         self.remainders.append(None)
         return -constant, sum((abs(w) * most[j] for j, w in function.items() if w), Fraction(0))
 
@@ -591,10 +580,10 @@ class Bound:
         """What the control points of the derivative top can be: from an end at rest, where the first is 0, they grow by the steps
         times what those of the next derivative can be."""
         top, space = run.top(), run.space
-        sizes = [supremum[top] * space.spread(top)] * (space.size - top)
-        if top == 3 or supremum[top + 1] is None:
+        sizes = [supremum[top] * space.of_derivative(top).spread()] * (space.size - top)
+        if top == 3:
             return sizes
-        growth = supremum[top + 1] * space.spread(top + 1)
+        growth = supremum[top + 1] * space.of_derivative(top + 1).spread()
         steps = [growth * step for step in space.steps(top + 1)]
         for rests, places, grown in zip(run.rests, (range(len(sizes)), range(len(sizes) - 1, -1, -1)), (steps, steps[::-1])):
             reach = Fraction(0)

@@ -138,8 +138,8 @@ class BoxProof:
         return (Fraction(0), Fraction(1)) if variable[0] == "magnitude" else parts_of(self.problem.cam.searched[variable[1]])
 
     def own_peak(self, term):
-        """What a peak that is the motion's own can be: a spline lies within its control points. None: no peak of a
-        derivative, or nothing is known of it."""
+        """What a peak that is the motion's own can be: a spline lies within its control points. None: no peak of a derivative, or
+        one that jumps."""
         if term.kind != "peak" or not term.order:
             return None
         sizes = []
@@ -152,17 +152,17 @@ class BoxProof:
         return max(sizes)
 
     def ranges_of_run(self, k):
-        """Of the control points of the motion and its derivatives (None: nothing is known): those of the derivative r lie
-        within what y^(r) can be, times the spread; those of the next lower one follow from both ends by summation."""
+        """Of the control points of the motion and its derivatives (None: of one that jumps): those of the derivative r lie within what y^(r)
+        can be, times the spread; those of the next lower one follow from both ends by summation."""
         if ("run", k) in self.known:
             return self.known["run", k]
         run, supremum = self.problem.runs[k], self.bound.supremum[k]
         space, top, ranges, found = run.space, run.top(), None, [None] * 4
         for order in range(top, -1, -1):
             count = space.size - order
-            size = None if supremum[order] is None else supremum[order] * space.spread(order)
-            own = [(-size, size) if size is not None else None] * count
-            if ranges is not None:
+            size = supremum[order] * space.of_derivative(order).spread()
+            own = [(-size, size)] * count
+            if order < top:
                 steps = [tuple(sorted((a * h, b * h))) for (a, b), h in zip(ranges, space.steps(order + 1))]
                 levels = run.ends()
                 for end, places in ((0, range(count)), (1, range(count - 1, -1, -1))):
@@ -173,12 +173,8 @@ class BoxProof:
                         if i not in (0, count - 1) or i != places[0]:
                             a, b = steps[i - 1] if end == 0 else steps[i]
                             low, high = (low + a, high + b) if end == 0 else (low - b, high - a)
-                        own[i] = (low, high) if own[i] is None else (max(low, own[i][0]), min(high, own[i][1]))
-            ranges = None if None in own else own
-            if order < len(found):
-                found[order] = ranges
-        if ranges is None:
-            raise Unverified("nothing bounds the motion")
+                        own[i] = max(low, own[i][0]), min(high, own[i][1])
+            ranges = found[order] = own
         self.known["run", k] = found
         return found
 

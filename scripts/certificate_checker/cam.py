@@ -252,8 +252,6 @@ class Cam:
             if i > 3:
                 dimension = list(self.searched)[i - 4]
                 searched[dimension] = middle / largest_of(self.searched[dimension])
-            elif bound.cam_supremum(k)[i] is None:
-                return None
             else:
                 add_to(function, run.cam_space.functional(at, i, side), middle)
             most += half * (bound.cam_supremum(k)[i] if i < 4 else 1)

@@ -51,7 +51,7 @@ def use_phase_rows(bound):
     columns = [amplitude.functions(i, 1 / unit) for amplitude, unit, *_ in found for i in (0, 1)]
     more = bound.fitted([(column, heaviest) for column in columns], [FREE] * len(columns), list(zip(columns, phases)))
     phases = [u + heaviest * by for u, by in zip(phases, more or [Fraction(0)] * len(phases))]
-    most = [own[0] * run.space.spread(0) for own, run in zip(bound.supremum, bound.problem.runs)]  # of a control point
+    most = [own[0] * run.space.spread() for own, run in zip(bound.supremum, bound.problem.runs)]  # of a control point
     for (amplitude, unit, peak, key, _), a, b in zip(found, phases[::2], phases[1::2]):
         multiplier = root(a * a + b * b)[1]
         if not multiplier:

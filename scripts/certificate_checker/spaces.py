@@ -2,15 +2,18 @@
 """Spline spaces.
 
 Theorem. The piecewise polynomials of a degree on the breakpoints, with so many continuous derivatives, are the combinations of the basis
-(Cox and de Boor), exactly. A control point of the derivative r is at most `spread(r)` times the largest value of that derivative.
+(Cox and de Boor), exactly. A spline's values at the means of its knots are A c, A those of the basis and c its control points. For any
+matrix B, near the inverse of A, |c| <= |B| max |value| / (1 - r), where r = |1 - B A| < 1 in the norm of row sums: `spread` times the largest
+value.
 """
 import math
 
 from .conditions import eliminated
-from .exact import Refuted, SAME_PLACE, combination, derivative, product, value_at
+from .exact import Refuted, SAME_PLACE, add_to, combination, derivative, product, value_at
 from .rational import Fraction
 
 FAR = Fraction(10**9)  # a bound that says nothing
+TINY = 2.0**-70        # what is left out of B: rounding
 
 
 class Space:
@@ -29,7 +32,8 @@ class Space:
         self.size = len(self.knots) - degree - 1
         self.segments = len(breakpoints) - 1
         self.fold = fold
-        self.known, self.spreads = {}, {}
+        self.known, self.derivatives, self.functionals = {}, {}, []
+        self.norm = None  # `spread`
 
     def first(self, segment):
         """The first of the degree + 1 control points that a segment feels."""
@@ -37,6 +41,11 @@ class Space:
 
     def width(self, segment):
         return self.breakpoints[segment + 1] - self.breakpoints[segment]
+
+    def steepest(self, order, below):
+        """The largest derivative of this order, from that of the one below it. Markov: a polynomial of degree d within B over a width h has a
+        slope within 2 d^2 B / h."""
+        return 2 * max(0, self.degree - order + 1)**2 * below / min(self.width(i) for i in range(self.segments))
 
     def basis(self, segment):
         """Cox and de Boor: the polynomials of t = x - left end that the control points are multiplied by."""
@@ -116,54 +125,38 @@ class Space:
         p = self.degree - order + 1
         return [(self.knots[order + i + p] - self.knots[order + i]) / p for i in range(self.size - order)]
 
-    def spread(self, order):
-        """How much larger than the largest value a control point of the derivative of this order can be: the least of two bounds."""
-        if order not in self.spreads:
-            q = self.degree - order
-            bounds = [Fraction(1)] if q <= 1 else [self.spread_on_segments(order)]
-            if q >= 4 and self.continuity >= order:
-                bounds.append(Space(q, self.continuity - order, self.breakpoints).spread_over_all())
-            self.spreads[order] = min(bounds)
-        return self.spreads[order]
+    def of_derivative(self, order):
+        """The space of the derivatives of this order, whose control points they have."""
+        if order not in self.derivatives:
+            self.derivatives[order] = Space(self.degree - order, self.continuity - order, self.breakpoints)
+        return self.derivatives[order]
 
-    def spread_on_segments(self, order):
-        """A control point is the blossom at its knots of the polynomial on one segment, a combination of values there."""
-        q, largest_sum = self.degree - order, Fraction(0)
-        knots = self.knots[order:len(self.knots) - order]
-        parts = [Fraction(math.sin(math.pi * i / (2 * q))**2) for i in range(q + 1)]  # Chebyshev's extrema
-        for j in range(len(knots) - q - 1):
-            own = knots[j + 1:j + q + 1]
-            options = [(a, b) for a, b in zip(own, own[1:]) if b > a] or \
-                      [(a, b) for a, b in zip(knots[j:], knots[j + 1:j + q + 2]) if b > a]
-            if not options:
-                continue
-            a, b = max(options, key=lambda ab: ab[1] - ab[0])
-            nodes = [a + (b - a) * part for part in parts]
-            total = Fraction(0)
-            for i, node in enumerate(nodes):
-                lagrange = [Fraction(1)]
-                for other in nodes[:i] + nodes[i + 1:]:
-                    lagrange = product(lagrange, [-other / (node - other), 1 / (node - other)])
-                total += abs(blossom(lagrange, own))
-            largest_sum = max(largest_sum, total)
-        return largest_sum
+    def at_breakpoints(self):
+        """[(order, row)] of a spline and three derivatives at every breakpoint, from both sides where one may jump."""
+        if not self.functionals:
+            last = self.breakpoints[-1]
+            self.functionals = [(order, self.functional(x, order, side)) for x in self.breakpoints for order in range(4)
+                                for side in ("left", "right") if order > self.continuity or side == ("left" if x == last else "right")]
+        return self.functionals
 
-    def spread_over_all(self):
-        """The control points interpolate the values at the means of their knots: the largest row sum of the inverse of that matrix
-        A. For any B with |1 - B A| = r < 1 in that norm it is at most |B| / (1 - r)."""
-        p, n = self.degree, self.size
-        places = [sum(self.knots[j + 1:j + p + 1]) / p for j in range(n)]
-        matrix = [self.functional(x, 0, "left" if x == self.breakpoints[-1] else "right") for x in places]
-        nearly = eliminated([[float(row.get(j, 0)) for j in range(n)] + [float(i == j) for j in range(n)] for i, row in enumerate(matrix)])
-        norm, rest = Fraction(0), Fraction(0)
-        for i, row in enumerate(nearly):
-            exact = [Fraction(value) for value in row]
-            left = [Fraction(-(i == j)) for j in range(n)]
-            for weight, own in zip(exact, matrix):
-                for j, value in own.items():
-                    left[j] += weight * value
-            norm, rest = max(norm, sum(map(abs, exact))), max(rest, sum(map(abs, left)))
-        return norm / (1 - rest) if rest < 1 else FAR
+    def spread(self):
+        """How much larger than the largest value a control point can be."""
+        if self.norm is None:
+            numbers, matrix = range(self.size), []
+            for j in numbers:
+                own = self.knots[j + 1:j + self.degree + 1] or self.knots[j:j + 2]
+                x = sum(own) / len(own)
+                matrix.append(self.functional(x, 0, "right" if x == self.knots[j] else "left"))
+            nearly = eliminated([[float(row.get(j, 0)) for j in numbers] + [float(i == j) for j in numbers] for i, row in enumerate(matrix)])
+            norm, rest = Fraction(0), Fraction(0 if nearly else 1)
+            for j, row in enumerate(nearly or []):
+                exact, left = [Fraction(w) if abs(w) > TINY else 0 for w in row], {j: Fraction(-1)}
+                for weight, own in zip(exact, matrix):
+                    if weight:
+                        add_to(left, own, weight)
+                norm, rest = max(norm, sum(map(abs, exact))), max(rest, sum(map(abs, left.values())))
+            self.norm = norm / (1 - rest) if rest < 1 else FAR
+        return self.norm
 
 
 class CamSpace(Space):

@@ -12,7 +12,7 @@ import tomllib
 from pathlib import Path
 
 from .any_curve import any_curve_bound, require_no_curve
-from .bound import Bound
+from .bound import OTHER_MEANS, Bound
 from .box_proof import BoxProof
 from .cam import Cam
 from .cases import by_angles, by_direction, displacements_found, judge_cases, relaxed_by, searched_angles, with_angles
@@ -337,6 +337,8 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
         check_box(proof, result, problem, factor)
         bound = Bound(with_free_displacements(problem, result), high, relaxed, curve).add_rows(proof["rows"], factor)
         value, left_out = bound.least_objective(), bound.left_out
+        if bound.means and verdict != "optimal":  # the bound may be reached by another motion
+            bound.leave_out(OTHER_MEANS, Fraction(0))
         rest = bound.residual
         report.say(f"bound: no motion of the scene is below {float(min(value, high)):.15g}, "
                    f"rounding {float(bound.residual):.1e}")

@@ -5,7 +5,6 @@ Theorem. The file is a linear program over control points and peaks whose rows e
 the bound, or that there is no motion.
 """
 
-from .exact import add_to
 from .rational import Fraction
 
 
@@ -54,26 +53,13 @@ def vipr(bound, problem, cost, proved):
             weights[peaks + row.peak] = Fraction(-1)
         weights |= {searched[name]: slope for name, slope in row.searched.items()}
         add("L", row.most, weights, -multiplier)
-    for k, (run, (conditions, original, remainder)) in enumerate(zip(problem.runs, bound.remainders)):
-        order, weights, starts, most = remainder
+    for k, (run, (conditions, function, pieces)) in enumerate(zip(problem.runs, bound.remainders)):
         for pivot, (row, value) in conditions.rows.items():
             own = {first[k] + j: w for j, w in row.items()}
             own[first[k] + pivot] = Fraction(1)
-            add("E", value, own, original.get(pivot, Fraction(0)))
-        derived = [{first[k] + j: Fraction(1)} for j in range(run.space.size)]
-        for step in range(1, order + 1):
-            _, weight, known = starts[step - 1]
-            if weight:
-                add("G" if weight > 0 else "L", -known if weight > 0 else known, derived[0], weight)
-            higher = []
-            for low, high, width in zip(derived, derived[1:], run.space.steps(step)):
-                row = dict(high)
-                add_to(row, low, -1)
-                higher.append({j: w / width for j, w in row.items()} if width else {})
-            derived = higher
-        for row, weight in zip(derived, weights):
-            if weight:
-                add("G" if weight > 0 else "L", -most if weight > 0 else most, row, weight)
+            add("E", value, own, function.get(pivot, Fraction(0)))
+        for row, weight, most in pieces:
+            add("G" if weight > 0 else "L", -most if weight > 0 else most, {first[k] + j: w for j, w in row.items()}, weight)
 
     def text(row):
         return " ".join([str(len(row))] + [f"{j} {w}" for j, w in sorted(row.items())])

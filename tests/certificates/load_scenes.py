@@ -41,6 +41,9 @@ DAMPED = ('[dynamics]\nmass_kg = 2.5\nnatural_frequency_hz = 70\ndamping_ratio =
           'ground_damping_n_s_m = 60\nprescribe = "output"\n')
 DAMPED_ARM = ('[dynamics]\ninertia_kg_m2 = 0.02\nnatural_frequency_hz = 60\ndamping_nm_s_rad = 0.3\nground_damping_nm_s_rad = 1.5\n'
               'prescribe = "output"\n')
+# An arm that such a cam swings; weights, degree, segments and limits follow.
+OUTPUT_ARM = ('[motion]\ntype = "DRD"\nlift_deg = 20\nrise_deg = 90\nspeed_rpm = 300\n' + DAMPED_ARM + '[cam]\ntype = "disk"\n'
+              'follower = "oscillating_roller"\nbase_radius_mm = 40\nroller_radius_mm = 12\ncenter_distance_mm = 100\narm_length_mm = 80\n')
 DAMPED_STROKES = (STROKES.split(DWELL)[0] + DWELL + "angle_deg = 60\n" + SPLINE + "angle_deg = 100\nto = 0.4\n" + SPLINE + "angle_deg = 80\nto = 0\n" +
                   OBJECTIVE.replace("[spline]\nsegments = 12", "[spline]\ndegree = 5\nsegments = 8") + DAMPED)
 
@@ -102,6 +105,15 @@ TEXTS = {
     "output_pressed": (OUTPUT + DAMPED + "[limits]\ncam_acceleration_m_s2 = 60\ndynamic_contact_force_min_n = 20\n", "optimal"),
     "output_turns": (OUTPUT.replace("lift_mm = 24", "lift_deg = 20") + DAMPED_ARM + "[limits]\ncam_acceleration_rad_s2 = 900\ncam_velocity_rad_s = 12\n",
                      "optimal"),
+    # Solvers leave few digits of the first; the others are not convex.
+    "output_arm": (OUTPUT_ARM + "[objective]\nacceleration = 0.7\njerk = 0.3\n[spline]\ndegree = 5\nsegments = 14\n[limits]\n"
+                   "pressure_angle_deg = 38\n", "optimal"),
+    "output_arm_septic": (OUTPUT_ARM.replace("DRD", "RR").replace("= 90", "= 70") + "[objective]\nvelocity = 0.31\nacceleration = 0.5\njerk = 0.8\n"
+                          "[spline]\ndegree = 7\nsegments = 20\n[limits]\npressure_angle_deg = 30\ncam_acceleration = 8.65\n", "optimal"),
+    "output_arm_velocity": (OUTPUT_ARM.replace("DRD", "RR").replace("lift_deg = 20\nrise_deg = 90", "lift_deg = 12\nrise_deg = 70\nreturn_deg = 100\n"
+                            "via = [{ at = 0.457, displacement = 0.419, velocity = 1.28 }]")
+                            .replace("= 60\ndamping_nm_s_rad = 0.3\nground_damping_nm_s_rad = 1.5", "= 40\nreturn_spring_nm_rad = 40") + "[objective]\nvelocity = 0.7\n[spline]\n"
+                            "degree = 5\nsegments = 24\n[limits]\npressure_angle_deg = 46\n", "optimal"),
     "output_strokes": (DAMPED_STROKES + "[limits]\ncam_velocity_m_s = { max = 0.16, min = -0.18 }\n", "optimal"),
 }
 
@@ -140,5 +152,7 @@ CHANGES = [
     ("output_rings", "s_m = 60", "s_m = 60.1"), ("output_rings", "_um = 40", "_um = 39"), ("output_rings", "_um = 40", "_um = 41"),
     ("output_rings", "[280", "[279"), ("output_rings", "ratio = 0.02", "ratio = 0.01"), ("output_pressed", "min_n = 20", "min_n = 149"),
     ("output_turns", "g_nm_s_rad = 1.5", "g_nm_s_rad = 1.51"), ("output_turns", "s2 = 900", "s2 = 901"),
+    ("output_arm", "jerk = 0.3", "jerk = 0.301"), ("output_arm_septic", "jerk = 0.8", "jerk = 0.801"), ("output_arm_septic", "_deg = 30", "_deg = 29.9"),
+    ("output_arm_velocity", "0.419", "0.42"),
     ("output_strokes", "s_m = 60", "s_m = 61"), ("output_strokes", "max = 0.16", "max = 0.161"),
 ]
