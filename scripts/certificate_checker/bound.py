@@ -523,13 +523,15 @@ class Bound:
         conditions = self.together()
         if conditions.contradiction:
             raise Unverified("conditions that contradict each other")
-        function, constant = conditions.reduced(self.named(dict(enumerate(self.functions))), Fraction(0))
-        self.residual = sum((abs(w) for (k, _), w in function.items() if k is None), Fraction(0)) * self.problem.farthest_level
+        most = {(None, -joint): self.problem.farthest_level for joint in self.problem.free}
+        rows = [({key: Fraction(1)}, size) for key, size in most.items()]
         for k, (run, supremum) in enumerate(zip(self.problem.runs, self.supremum)):
-            states, left = self.in_states(run, {j: w for (own, j), w in function.items() if own == k}, supremum, lambda row: row)
-            self.residual += self.reach_of(states + self.in_points(run, left, supremum))
+            rows += [(self.named({k: row}), size) for row, size in self.states_of(run, supremum)]
+            most |= {(k, j): size for j, size in self.points_of(run, supremum).items()}
+        constant, _, pieces = self.in_pieces(self.named(dict(enumerate(self.functions))), conditions, rows, most)
+        self.residual = self.reach_of(pieces)
         self.remainders.append(None)
-        return -constant - self.residual
+        return constant - self.residual
 
     def under(self, run, function, supremum):
         """(constant, residual): the function of the spline is at least constant - residual."""
@@ -538,29 +540,37 @@ class Bound:
         conditions = Conditions(run.conditions)
         if conditions.contradiction:
             raise Unverified("conditions that contradict each other")
-        states, function = self.in_states(run, function, supremum, lambda row: conditions.reduced(dict(row), Fraction(0))[0])
-        left, constant = conditions.reduced(dict(function), Fraction(0))
-        pieces = states + self.in_points(run, left, supremum)
+        constant, function, pieces = self.in_pieces(function, conditions, self.states_of(run, supremum), self.points_of(run, supremum))
         self.remainders.append((conditions, function, pieces))
-        return -constant, self.reach_of(pieces)
+        return constant, self.reach_of(pieces)
 
     @staticmethod
-    def in_states(run, function, supremum, reduced):
-        """([(row, times what, the largest it can be)], what is left of the function): states at breakpoints whose sum, as far as it counts
-        once it is reduced, is the function but for rounding."""
-        rows = [(row, supremum[order]) for order, row in run.space.at_breakpoints() if supremum[order]]
-        parts = [{j: float(w / most) for j, w in reduced(row).items() if w} for row, most in rows]
-        factors = small_sum({j: float(w) for j, w in reduced(function).items() if w}, parts, float(supremum[0] * run.space.spread()))
-        left = dict(function)
-        states = [(row, number(factor) / most, most) for factor, (row, most) in zip(factors, rows) if factor]
+    def states_of(run, supremum):
+        """[(row of a state at a breakpoint, the largest it can be)]."""
+        return [(row, supremum[order]) for order, row in run.space.at_breakpoints() if supremum[order]]
+
+    @staticmethod
+    def points_of(run, supremum):
+        """What control points can be."""
+        return dict.fromkeys(range(run.space.size), supremum[0] * run.space.spread())
+
+    @staticmethod
+    def in_pieces(function, conditions, rows, most):
+        """(constant, function less states, pieces): with the conditions, the function is the constant and the sum of pieces (row, times what,
+        the largest it can be). These are rows, the states, and single numbers, which can be `most`, of what rounding leaves beside them. States
+        are seen through the conditions, so that one that these fix costs nothing."""
+
+        def reduced(row):
+            return {j: w for j, w in conditions.reduced(dict(row), Fraction(0))[0].items() if w}
+
+        parts = [{j: float(w / size) for j, w in reduced(row).items()} for row, size in rows]
+        factors = small_sum({j: float(w) for j, w in reduced(function).items()}, parts, float(max(most.values())))
+        function = dict(function)
+        states = [(row, number(factor) / size, size) for factor, (row, size) in zip(factors, rows) if factor]
         for row, weight, _ in states:
-            add_to(left, row, -weight)
-        return states, left
-
-    @staticmethod
-    def in_points(run, function, supremum):
-        """The same by single control points."""
-        return [({j: Fraction(1)}, w, supremum[0] * run.space.spread()) for j, w in function.items() if w]
+            add_to(function, row, -weight)
+        left, constant = conditions.reduced(dict(function), Fraction(0))
+        return -constant, function, states + [({j: Fraction(1)}, w, most[j]) for j, w in left.items() if w]
 
     @staticmethod
     def reach_of(pieces):
