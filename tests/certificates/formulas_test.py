@@ -163,6 +163,22 @@ def narrow_segment():
     return [] if abs(constant_part) + residual <= supremum[3] else [f"y''' of a narrow segment: {float(residual)} of {float(supremum[3])}"]
 
 
+def beside_free_ends():
+    """The first control point that rest leaves open is y''' at the start, times the cube of the width: that a run begins at a dwell is known
+    where its end is free, too."""
+    kinds = [("dwell", 90, {}), ("spline", 60, {}), ("law", 60, {"law": "constant_velocity"}), ("spline", 60, {"to": 1}),
+             ("spline", 90, {"to": 0})]
+    segments = [{"kind": kind, "angle_deg": Fraction(angle), **more} for kind, angle, more in kinds]
+    scene = {"motion": {"type": "program", "lift": Fraction(1), "segments": segments}, "objective": {"jerk": Fraction(1)},
+             "spline": {"segments": 8}}
+    problem = Problem(in_known_units(scene), dict.fromkeys(("velocity", "acceleration", "jerk"), Fraction(1)), None, [])
+    bound = Bound(problem, Fraction(100), Fraction(0))
+    bound.functions[0] = {3: Fraction(1)}
+    largest = bound.supremum[0][3] * problem.runs[0].space.width(0)**3
+    bound.under_together()
+    return [] if bound.residual <= largest * Fraction(101, 100) else [f"beside free ends: {float(bound.residual)}, not {float(largest)}"]
+
+
 def old_format():
     """A certificate without the fields of its rows is named, not judged."""
     with tempfile.TemporaryDirectory() as folder:
@@ -186,7 +202,8 @@ def whole_limits():
 
 
 def main():
-    faults = [fault for test in (tappet, feeder, barrel, slide, lambda: slide(300), narrow_segment, old_format, whole_limits) for fault in test()]
+    tests = tappet, feeder, barrel, slide, lambda: slide(300), narrow_segment, beside_free_ends, old_format, whole_limits
+    faults = [fault for test in tests for fault in test()]
     return checker.end(faults)
 
 
