@@ -5,10 +5,12 @@ Theorem. Let "function_i(y) - peak_i <= most_i" be rows that every motion y of t
 
     objective(y) >= sum over peaks of (weight - sum of their m_i) * peak - sum m_i most_i + f(y),   f = sum m_i function_i,
 
-f linear in the control points. Conditions of the scene reduce f to fewer control points; what remains of it, rounding, is a sum of y, y', y'' and
-y''' at breakpoints (small_sums.py), bounded by what these can be (`supremum_of`): a motion better than the delivered one has peaks below
-objective / weight, and limits bound it too. So no motion is below `value`; without an objective a value above 0 is a contradiction: there is
-no motion. Assumptions: the rows are derived from the scene (the file only names them), and their multipliers are arbitrary.
+f linear in the control points. Conditions of the scene reduce f to fewer control points; what remains of it, rounding and what a tangent taken
+elsewhere leaves, is a sum of y, y', y'' and y''' at breakpoints, reduced likewise (small_sums.py), bounded by what these can be
+(`supremum_of`): a motion better than the delivered one has peaks below objective / weight, and limits bound it too. Where displacements are free,
+conditions of all runs are taken together, and these displacements are bounded by their range. So no motion is below `value`; without an objective
+a value above 0 is a contradiction: there is no motion. Assumptions: the rows are derived from the scene (the file only names them), and their
+multipliers are arbitrary.
 """
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, add_to, derivative, integral, number, product, root
