@@ -7,10 +7,10 @@ the torque: with <., .> its inner product and z any motion, every motion y has
     rms(y) >= <torque(y), torque(z)> / |torque(z)|,    rms(y)^2 >= 2 <torque(y), torque(z)> - |torque(z)|^2,
 
 so that both are rows of every motion, for any z. That of the delivered motion is taken; where none is delivered, the one at which all rows,
-times their multipliers, are least together. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
+times their multipliers, are least together, over all splines and displacements that are free. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
 """
 
-from .conditions import Conditions, solved
+from .conditions import solved
 from .drive_laws import Span, square_along
 from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, middle_of, product, root, shifted
 from .laws import ends_of_law
@@ -127,20 +127,23 @@ class MotorRows:
         a law that moves y by h the torque is h g + c, with Q and R the integrals of g^2 and g:
 
             h_y (h_z Q + c R) + h_z c R + c^2 length."""
+        moves, q, half, cr = self.law_form(span)
+        moved = curve.moved(self.problem.stretches.index(span.stretch))
+        function = {}
+        add_to(function, moves, moved * q + cr)
+        constant = moved * cr + span.constant**2 * (span.stretch.end - span.stretch.begin)
+        own = constant + function.pop(None, Fraction(0)), moved * (moved * q + cr) + constant
+        return own, function, half * max(2 * self.problem.farthest_level, abs(moved))**2
+
+    def law_form(self, span):
+        """(h as a function of displacements that are free, Q, how far Q can be from that, c R)."""
         stretch, drive, i = span.stretch, self.drive, self.problem.stretches.index(span.stretch)
         unit = Stretch("law", stretch.begin, stretch.end, Fraction(0), Fraction(1))
-        unit.law, length, c = stretch.law, stretch.end - stretch.begin, span.constant
+        unit.law = stretch.law
         first, last = ends_of_law(stretch.law, 1)
-        r = drive.velocity + drive.acceleration * (last - first) / length
+        r = drive.velocity + drive.acceleration * (last - first) / (stretch.end - stretch.begin)
         q, half = middle_of(square_along(Span(unit, unit.begin, unit.end, 0, Fraction(0)), drive.acceleration, drive.velocity))
-        other = curve.problem.stretches[i]
-        moved = Fraction(0) if None in (other.start, other.to) else other.to - other.start
-        function = {}
-        for level, sign in ((self.problem.level_at(i + 1), 1), (self.problem.level_at(i), -1)):
-            add_to(function, level, sign * (moved * q + c * r))
-        constant = moved * c * r + c * c * length
-        own = constant + function.pop(None, Fraction(0)), moved * (moved * q + c * r) + constant
-        return own, function, half * (2 * self.problem.farthest_level)**2
+        return self.problem.moved_between(i, i + 1), q, half, span.constant * r
 
     def parts(self, run, i, begin):
         """(control point, the torque without its constant of its basis function), t from `begin` of piece i."""
@@ -185,25 +188,30 @@ class MotorRows:
     # -- no motion: the tangent's place
 
     def preferred(self):
-        """The motion at which all rows so far and the mean square, each times its multiplier, are least: one system of linear
-        equations, solved in doubles. Any motion will do."""
-        runs, limit = self.problem.runs, self.drive.rms_limit
-        controls = []
-        for k, run in enumerate(runs):
-            factor = self.square / limit**2
-            size = run.space.size
-            matrix, slope = [[Fraction(0)] * size for _ in range(size)], [Fraction(0)] * size
+        """The motion at which all rows so far and the mean square, each times its multiplier, are least: one system of linear equations in
+        the control points of all runs and the displacements that are free, solved in doubles. Any motion will do."""
+        matrix, slope = self.form(self.square / self.drive.rms_limit**2 / self.drive.cycle)
+        add_to(slope, self.bound.named(dict(enumerate(self.bound.functions))))
+        return Found(self.problem, least_of_form(self.bound.together(), matrix, slope))
+
+    def form(self, factor):
+        """(matrix, slope) in {key of `named`: number or row}: the integral of torque^2 / 2 is x . matrix x / 2 + slope . x and a number."""
+        matrix, slope = {}, {}
+        for k, run in enumerate(self.problem.runs):
             for i in range(run.space.segments):
                 for begin, width, constant in self.cuts(run, i):
-                    own = list(self.parts(run, i, begin))
-                    for a, p in own:
-                        slope[a] += factor * constant * integral(p, width) / self.drive.cycle
-                        for b, q in own:
-                            matrix[a][b] += factor * integral(product(p, q), width) / self.drive.cycle
-            for j, w in self.bound.functions[k].items():
-                slope[j] += w
-            controls.append(least_of_form(Conditions(run.conditions), matrix, slope))
-        return Found(self.problem, controls)
+                    own = [((k, j), p) for j, p in self.parts(run, i, begin)]
+                    for key, p in own:
+                        add_to(slope, {key: constant * integral(p, width)}, factor)
+                        add_to(matrix.setdefault(key, {}), {other: integral(product(p, q), width) for other, q in own}, factor)
+        for span in self.drive.free_laws():
+            moves, q, _, cr = self.law_form(span)
+            fixed = moves.pop(None, Fraction(0))
+            moves = {(None, joint): w for joint, w in moves.items()}
+            add_to(slope, moves, factor * (fixed * q + cr))
+            for key, w in moves.items():
+                add_to(matrix.setdefault(key, {}), moves, factor * q * w)
+        return matrix, slope
 
     def cuts(self, run, i):
         """[(begin, width, the constant torque)] of piece i, where friction turns."""
@@ -217,39 +225,43 @@ class MotorRows:
 
 
 class Found:
-    """A motion that is only a place of tangents: what pieces_of() wants of a curve."""
+    """A motion that is only a place of tangents, by {key of `named`: number}: what pieces_of() and product_along() want of a curve."""
 
-    def __init__(self, problem, controls):
-        self.problem, self.control, self.pieces = problem, controls, []
-        for run, control in zip(problem.runs, controls):
-            points = run.space.breakpoints
+    def __init__(self, problem, numbers):
+        self.problem, self.numbers, self.control, self.pieces = problem, numbers, [], []
+        for k, run in enumerate(problem.runs):
+            points, control = run.space.breakpoints, [numbers.get((k, j), Fraction(0)) for j in range(run.space.size)]
+            self.control.append(control)
             self.pieces.append([(p, run.space.width(i), points[i], run.stretch_at(points[i]))
                                 for i, p in enumerate(run.space.pieces(control))])
 
+    def moved(self, i):
+        """By how much y is higher after a stretch."""
+        return sum((w * (self.numbers.get((None, joint), Fraction(0)) if joint else 1)
+                    for joint, w in self.problem.moved_between(i, i + 1).items()), Fraction(0))
+
 
 def least_of_form(conditions, matrix, slope):
-    """Control points on the conditions at which c . matrix c / 2 + slope . c is least: solved in doubles, corrected once."""
-    size = len(slope)
-    free = [j for j in range(size) if j not in conditions.rows]
-    control = conditions.completed([Fraction(0)] * size)
-    reach = []  # of each free one: how the control points follow it
-    for j in free:
-        own = [Fraction(0)] * size
-        own[j] = Fraction(1)
-        for pivot, (row, _) in conditions.rows.items():
-            own[pivot] = -row.get(j, Fraction(0))
-        reach.append({i: w for i, w in enumerate(own) if w})
-    applied = [[sum((w * matrix[i][m] for i, w in own.items()), Fraction(0)) for m in range(size)] for own in reach]
-    reduced = [[float(sum((w * line[m] for m, w in other.items()), Fraction(0))) for other in reach] for line in applied]
+    """Numbers on the conditions, {key: number}, at which x . matrix x / 2 + slope . x is least: solved in doubles, corrected twice."""
+
+    def along(row, numbers):
+        return sum((w * numbers[j] for j, w in row.items() if j in numbers), Fraction(0))
+
+    seen = {key for row, _ in conditions.rows.values() for key in row} | set(matrix)
+    free = sorted((key for key in seen if key not in conditions.rows), key=str)
+    reach = [{key: Fraction(1)} | {pivot: -row[key] for pivot, (row, _) in conditions.rows.items() if row.get(key)} for key in free]
+    applied = []  # the matrix times each of these: how all numbers follow one that is free
+    for own in reach:
+        applied.append({})
+        for key, w in own.items():
+            add_to(applied[-1], matrix.get(key, {}), w)
+    reduced = [[float(along(other, line)) for other in reach] for line in applied]
+    found = dict.fromkeys(free, Fraction(0))
     for _ in range(3):
-        gradient = [sum((matrix[i][m] * control[m] for m in range(size) if matrix[i][m]), slope[i]) for i in range(size)]
-        right = [-float(sum((w * gradient[i] for i, w in own.items()), Fraction(0))) for own in reach]
-        steps = solved([[*line, down] for line, down in zip(reduced, right)])
+        numbers = found | {pivot: value - along(row, found) for pivot, (row, value) in conditions.rows.items()}
+        gradient = {key: slope.get(key, Fraction(0)) + along(matrix.get(key, {}), numbers) for key in numbers}
+        steps = solved([[*line, -float(along(own, gradient))] for line, own in zip(reduced, reach)])
         if steps is None:
             raise Unverified("a root mean square that does not see the whole motion")
-        for own, by in zip(reach, steps):
-            for i, w in own.items():
-                control[i] += w * by
-        control = [Fraction(round(c * 2**110), 2**110) if i in free else c for i, c in enumerate(control)]
-        control = conditions.completed(control)
-    return control
+        found = {key: Fraction(round((found[key] + by) * 2**110), 2**110) for key, by in zip(free, steps)}
+    return found | {pivot: value - along(row, found) for pivot, (row, value) in conditions.rows.items()}

@@ -139,6 +139,11 @@ class Curve:
                                   abs(number(part["x0"]) - stretch.begin - by) > STATED)):
                     raise Refuted("the motion's dwells or laws are not those of the scene")
 
+    def moved(self, i):
+        """By how much y is higher after a stretch; 0 where it is not known."""
+        stretch = self.problem.stretches[i]
+        return Fraction(0) if None in (stretch.start, stretch.to) else stretch.to - stretch.start
+
     def cam_pieces(self):
         """What the cam does, as `pieces`."""
         weights = self.problem.to_cam

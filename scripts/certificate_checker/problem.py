@@ -408,6 +408,12 @@ class Problem:
             joint -= 1
         return {-joint: Fraction(1)} if level is None else {None: level}
 
+    def moved_between(self, joint, other):
+        """By how much the displacement at the other joint is higher, as a function likewise."""
+        moved = dict(self.level_at(other))
+        add_to(moved, self.level_at(joint), -1)
+        return moved
+
     def stretches_of_reference(self):
         """Those between displacements that the scene states, where a reference law moves: one that is free counts as the one before it."""
         if not self.free:
@@ -495,8 +501,7 @@ class Problem:
         factors = [ends_of_law(own.law, order)[0 if after else 1] / (own.end - own.begin)**order for order in (1, 2)]
         if own.start is not None and own.to is not None:
             return tuple(factor * (own.to - own.start) for factor in factors)
-        moved = self.level_at(neighbour + 1)
-        add_to(moved, self.level_at(neighbour), -1)
+        moved = self.moved_between(neighbour, neighbour + 1)
         return tuple({key: factor * w for key, w in moved.items()} if factor else Fraction(0) for factor in factors)
 
     def turns_back(self, segments, i, following):
