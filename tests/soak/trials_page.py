@@ -15,7 +15,7 @@ class Table:
             cells = [cell.strip() for cell in line.strip("|").split("|")]
             if cells[0] != "all":
                 key = cells[0].strip("`"), *cells[1:len(self.names)]
-                self.rows[key] = collections.Counter(dict(zip(self.columns, map(int, cells[len(self.names):]))))
+                self.add(key, dict(zip(self.columns, map(int, cells[len(self.names):]))))
 
     def parted(self, text):
         """Before, between and after the marks."""
