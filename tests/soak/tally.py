@@ -9,6 +9,7 @@ interrupted loses the last round at most. Exit status 1 where something failed o
 """
 import argparse
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -105,6 +106,7 @@ def main():
     arguments.commit = arguments.commit or subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True,
                                                           check=True).stdout.strip()
     page = Trials(arguments.page)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         status = 1 if part(page, arguments) else 0
     except KeyboardInterrupt:

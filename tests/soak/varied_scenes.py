@@ -18,14 +18,15 @@ import motion_scenes  # noqa: E402
 
 NUMBER = r"(?<![\w.])-?\d+(?:\.\d+)?(?:e-?\d+)?"
 GIVEN = re.compile(rf"(\w+)( *= *)({NUMBER})( *(?:#.*)?)")
-BOUNDS = re.compile(r"\w+ *= *\{.*\b(?:min|max)\b.*")
+BOUNDS = re.compile(r"(?!spring_harmonics)\w+ *= *\{.*\b(?:min|max)\b.*")
 RANGE = re.compile(rf"\{{ *min *= *({NUMBER}), *max *= *({NUMBER}) *\}}")
 ANGLE = re.compile(r"\bangle_deg *= *(\d+(?:\.\d+)?)\b")  # of a segment
 STROKE = re.compile(r"(lift|rise|return|speed)_")
 # By how much of itself a number changes, by its table.
 SPREADS = {"motion": 0.1, "cam": 0.04, "linkage": 0.004, "forces": 0.2, "drive": 0.1, "dynamics": 0.1, "limits": 0.1, "objective": 0.4,
            "tolerance": 0.3, "clearance": 0.03}
-SEARCHABLE = {"cam": 0.1, "linkage": 0.01}  # tables of dimensions, and how wide a range is
+WIDTHS = {"cam": 0.1, "linkage": 0.01}  # of the range of a dimension that is searched
+DIMENSIONED = *WIDTHS, "forces", "drive"
 DIMENSIONS, ANGLES, MACHINE = "searched dimensions", "searched angles", "machine"
 
 CHAIN = 'lever_arm_mm = 240\nlever_angle_deg = -10\nlever_branch = "right"\ncoupler_mm = 351.3\n'
@@ -46,7 +47,7 @@ def class_of(scene):
     segments = scene["motion"].get("segments", [])
     if scene.get("spline", {}).get("knots") == "free" or any(is_range(value) for own in segments for value in own.values()):
         return ANGLES
-    if any(is_range(value) for name in ("cam", "linkage", "forces", "drive") for value in scene.get(name, {}).values()):
+    if any(is_range(value) for name in DIMENSIONED for value in scene.get(name, {}).values()):
         return DIMENSIONS
     cam = scene.get("cam")
     if cam is None:
@@ -72,11 +73,9 @@ def examples():
         scene = tomllib.loads(text)
         if "table" in scene.get("measured", {}):
             continue
-        own = class_of(scene)
-        found.setdefault(own, []).append(text)
-        if own == DIMENSIONS:
-            given = RANGE.sub(lambda ends: ends[1], text)
-            found.setdefault(class_of(tomllib.loads(given)), []).append(text)
+        found.setdefault(class_of(scene), []).append(text)
+        if class_of(scene) == DIMENSIONS:  # and of the class it has where they are given
+            found.setdefault(class_of(tomllib.loads(with_given(text, lambda ends: ends[1]))), []).append(text)
     return found
 
 
@@ -87,6 +86,11 @@ def lines_of(text):
         if header := re.fullmatch(r"\[+([\w.]+)\]+.*", line.strip()):
             table = header[1]
         yield table, line
+
+
+def with_given(text, chosen):
+    """Dimensions that are searched are given: `chosen` of a range."""
+    return "".join((RANGE.sub(chosen, line) if table in DIMENSIONED else line) + "\n" for table, line in lines_of(text))
 
 
 def changed_line(r, table, line, size, strokes):
@@ -124,11 +128,11 @@ def changed(r, text, size):
 def with_dimension(r, text):
     """A dimension that is given is searched."""
     lines = list(lines_of(text))
-    given = [i for i, (table, line) in enumerate(lines) if table in SEARCHABLE and (found := GIVEN.fullmatch(line)) and float(found[3])]
+    given = [i for i, (table, line) in enumerate(lines) if table in WIDTHS and (found := GIVEN.fullmatch(line)) and float(found[3])]
     at = r.choice(given)
     table, line = lines[at]
     found = GIVEN.fullmatch(line)
-    value, width = float(found[3]), abs(float(found[3])) * SEARCHABLE[table]
+    value, width = float(found[3]), abs(float(found[3])) * WIDTHS[table]
     lines[at] = table, f"{found[1]} = {{ min = {value - width * r.random():.6g}, max = {value + width * r.uniform(0.1, 1.5):.6g} }}"
     return "\n".join(line for _, line in lines) + "\n"
 
@@ -142,26 +146,28 @@ def with_angles(r, text):
 
 
 EXAMPLES = examples()
-CAMS = [text for own, texts in EXAMPLES.items() if own not in ("motion", ANGLES, DIMENSIONS) for text in texts if not RANGE.search(text)]
-PROGRAMS = [text for own, texts in EXAMPLES.items() if own not in (ANGLES, DIMENSIONS) for text in texts
-            if len(ANGLE.findall(text)) > 1 and not RANGE.search(text) and "repeat" not in text and "corridor" not in text]
+GIVEN_ALL = [text for texts in EXAMPLES.values() for text in texts if class_of(tomllib.loads(text)) not in (DIMENSIONS, ANGLES)]
+CAMS = [text for text in GIVEN_ALL if "[cam]" in text]
+PROGRAMS = [text for text in GIVEN_ALL if len(ANGLE.findall(text)) > 1 and not re.search("repeat|corridor", text)]
 MACHINES = [*((SCENES / "machines" / f"{name}.toml") for name in ("cartoner", "knife", "shed")), TESTS / "cases/55c_press.toml",
             *sorted((TESTS / "cases").glob("machine_*/machine.toml"))]
 
 
 def of_class(r, name, size):
     text = changed(r, r.choice(EXAMPLES[name]), size)
-    return {"scene.toml": RANGE.sub(lambda ends: f"{r.uniform(float(ends[1]), float(ends[2])):.6g}", text) if name != ANGLES else text}
+    return {"scene.toml": with_given(text, lambda ends: f"{r.uniform(float(ends[1]), float(ends[2])):.6g}")}
 
 
 def searched_dimension(r, size):
-    text = r.choice(EXAMPLES[DIMENSIONS] if r.random() < 0.5 else CAMS)
-    return {"scene.toml": changed(r, text if RANGE.search(text) else with_dimension(r, text), size)}
+    known = r.random() < 0.5
+    text = changed(r, r.choice(EXAMPLES[DIMENSIONS] if known else CAMS), size)
+    return {"scene.toml": text if known else with_dimension(r, text)}
 
 
 def searched_angles(r, size):
-    text = changed(r, r.choice(EXAMPLES[ANGLES] if r.random() < 0.5 else PROGRAMS), size)
-    return {"scene.toml": text if class_of(tomllib.loads(text)) == ANGLES else with_angles(r, text)}
+    known = r.random() < 0.5
+    text = changed(r, r.choice(EXAMPLES[ANGLES] if known else PROGRAMS), size)
+    return {"scene.toml": text if known else with_angles(r, text)}
 
 
 def machine(r, size):
