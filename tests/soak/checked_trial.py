@@ -20,7 +20,7 @@ import pairs  # noqa: E402
 import read_back  # noqa: E402
 
 VERDICTS = ("optimal", "infeasible")
-SOLVING, JUDGING = 20, 120  # seconds
+SOLVING, WAITING, JUDGING = 20, 300, 60  # seconds: camopt's own limit, the longest wait for it, and of the processor for a checker
 FORMATS = {name: words for name, (command, words, _) in pairs.OUTPUTS.items() if command == "export"}
 # Of the files of one export the worst counts.
 OUTCOMES = ("read back", "confirmed", "in part", "not judged", "refused", "refuted")
@@ -31,7 +31,7 @@ class OutOfTime(Exception):
 
 
 def out_of_time(*_):
-    raise OutOfTime(f"no outcome within {JUDGING} s")
+    raise OutOfTime(f"no outcome within {JUDGING} s of the processor")
 
 
 def is_known(name, why):
@@ -42,8 +42,8 @@ def is_known(name, why):
 
 def in_time(judge, *arguments):
     """(exit code, why) of a checker in this process; one that ends otherwise confirms nothing."""
-    before = signal.signal(signal.SIGALRM, out_of_time)
-    signal.setitimer(signal.ITIMER_REAL, JUDGING)
+    before = signal.signal(signal.SIGVTALRM, out_of_time)
+    signal.setitimer(signal.ITIMER_VIRTUAL, JUDGING)
     try:
         return judge(*arguments)
     except OutOfTime as late:
@@ -51,8 +51,8 @@ def in_time(judge, *arguments):
     except Exception as fault:  # pylint: disable=broad-except
         return 1, f"REFUTED: the checker ended with {type(fault).__name__}: {fault}"
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
 
 
 class Judges:
@@ -105,7 +105,7 @@ class Trial:
         print(f"{what}: {outcome}: {why}\n    {folder}", flush=True)
 
     def command(self, *words):
-        return subprocess.run([self.camopt, *map(str, words)], capture_output=True, text=True, timeout=JUDGING, check=False)
+        return subprocess.run([self.camopt, *map(str, words)], capture_output=True, text=True, timeout=WAITING, check=False)
 
     @property
     def is_machine(self):
@@ -150,7 +150,7 @@ class Trial:
             done = self.command(*call, "--out", out)
             outcome, why = self.refusal(done, out) if done.returncode else self.judged(out)
         except subprocess.TimeoutExpired:
-            outcome, why = "refuted", f"no export within {JUDGING} s"
+            outcome, why = "refuted", f"no export within {WAITING} s"
         self.exports[name] = outcome
         if outcome not in ("confirmed", "read back"):
             self.note(name, outcome, why, [self.place / name for name in self.files] + [folder for folder in (self.result, out) if folder.exists()])
