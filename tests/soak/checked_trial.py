@@ -127,10 +127,11 @@ class Trial:
                 return "disagreements", str(late)
             if done.returncode != 2:
                 break
-        if done.returncode not in (0, 1, 3):
+        told = self.result / ("machine.json" if self.is_machine else "result.json")
+        if done.returncode not in (0, 1, 3) or not told.exists():
             refused = done.returncode == 2 and kind not in DRAWN
             return "refused" if refused else "disagreements", f"camopt ended with {done.returncode}: {done.stderr.strip()}"
-        told = json.loads((self.result / ("machine.json" if self.is_machine else "result.json")).read_text())
+        told = json.loads(told.read_text())
         self.verdict, self.speed = told["verdict"], told.get("speed_rpm")
         self.counts[self.verdict if self.verdict in VERDICTS else "other"] += 1
         outcome, why = self.judges.proof(self.result)
