@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The checker as a module, and folders for it to look at."""
-import importlib
+import importlib.machinery
+import importlib.util
 import json
 import subprocess
 import sys
@@ -13,6 +14,16 @@ def load():
     """What scripts/verify-certificate runs, imported: many folders are judged in one process."""
     sys.path.insert(0, str(ROOT / "scripts"))
     return importlib.import_module("certificate_checker.verdict")
+
+
+def load_exports():
+    """scripts/verify-export, likewise."""
+    load()
+    path = str(ROOT / "scripts/verify-export")
+    loader = importlib.machinery.SourceFileLoader("verify_export", path)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("verify_export", loader))
+    loader.exec_module(module)
+    return module
 
 
 def solve(camopt, scene, folder, settings=()):

@@ -6,8 +6,6 @@ is false.
 """
 import argparse
 import copy
-import importlib.machinery
-import importlib.util
 import json
 import random
 import re
@@ -32,15 +30,6 @@ CASES = [
 ]
 MOVED = 0.05              # mm
 NUMBER = re.compile(r"(?<![\w.])-?\d+\.\d+(?:e-?\d+)?")
-
-
-def verify_export():
-    checker.load()
-    path = str(checker.ROOT / "scripts/verify-export")
-    loader = importlib.machinery.SourceFileLoader("verify_export", path)
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("verify_export", loader))
-    loader.exec_module(module)
-    return module
 
 
 def is_data(line):
@@ -153,7 +142,7 @@ def main():
     asked = parser.parse_args()
     chance, faults, tried = random.Random(asked.seed), [], 0
     with tempfile.TemporaryDirectory() as place:
-        judge, found = verify_export(), []
+        judge, found = checker.load_exports(), []
         for export in exports(asked.camopt, Path(place)):
             code, lines = judge.outcome_of(*export.written_to(Path(place) / "judged"))
             if code == 2 and export.claims["kind"] == "table":  # columns that are none of the motion are named

@@ -40,11 +40,11 @@ def measured_table(result, path):
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def confirm(claims, scene):
+def confirm(folder, scene):
     """What a controller, a drawing or a program is told is the design, judged in exact arithmetic by a script that knows no camopt."""
-    for name in filter(None, map(json.loads(claims.read_text(encoding="utf-8")).get, ("file", "text_file"))):
-        judged = subprocess.run([sys.executable, ROOT / "scripts" / "verify-export", claims.with_name(name), scene], capture_output=True,
-                                text=True, timeout=60, check=False)
+    for file in read_back.claimed(folder):
+        judged = subprocess.run([sys.executable, ROOT / "scripts" / "verify-export", file, scene], capture_output=True, text=True, timeout=60,
+                                check=False)
         assert judged.returncode in CONFIRMED, judged.stdout + judged.stderr
 
 
@@ -91,8 +91,8 @@ def judge(output, kind, folder):
             measured_table(folder / "result", folder / "measured.csv")
         else:
             shutil.copy(ROOT / "scenes" / "measured_cam.csv", folder / "measured.csv")
-    for claims in sorted((folder / "out").glob("*.check.json")) if words[0] == "export" else []:
-        confirm(claims, folder / "result" / "scene.toml")
+    if words[0] == "export":
+        confirm(folder / "out", folder / "result" / "scene.toml")
     for path in written:
         if path.is_file() and "chunks" not in path.parts:
             read_back.read(path, folder / "result")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Random scenes for the exact checker: CLASSES maps a name to a function that draws the text of a scene."""
+"""Random scenes for the exact checker: drawn() has the files of one of a class of CLASSES."""
 import random
+
+import varied_scenes
 
 SPLINE, DWELL, LAW = (f'[[motion.segments]]\nkind = "{kind}"\n' for kind in ("spline", "dwell", "law"))
 LAWS = ("modified_sine", "modified_trapezoid", "cycloidal", "polynomial_345", "simple_harmonic", "gutman_13", "asymmetric_cycloidal")
@@ -84,8 +86,13 @@ def servo(r):
         f"segments = {r.choice((8, 12))}\n[objective]\n{r.choice(('motor_torque', 'motor_torque_rms'))} = 1\njerk = 0.1\n{limit}"
 
 
-CLASSES = {"rise": rise, "rise and return": rise_and_return, "program": program, "valve": valve, "cam": cam, "servo": servo}
+DRAWN = {"rise": rise, "rise and return": rise_and_return, "program": program, "valve": valve, "cam": cam, "servo": servo}
+CLASSES = (*DRAWN, *varied_scenes.CLASSES)
+ATTEMPTS = 6
 
 
-def drawn(kind, seed, number):
-    return CLASSES[kind](random.Random(f"{seed} {kind} {number}"))
+def drawn(kind, seed, number, attempt=0):
+    """{name: text}, the first is solved. Each attempt of a scene that is an example changed stays closer to this example."""
+    if kind in DRAWN:
+        return {"scene.toml": DRAWN[kind](random.Random(f"{seed} {kind} {number}"))}
+    return varied_scenes.CLASSES[kind](random.Random(f"{seed} {kind} {number} {attempt}"), 0.5**attempt)

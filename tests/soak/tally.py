@@ -1,51 +1,46 @@
 # SPDX-License-Identifier: MIT
-"""tally.py --minutes M (--soak PROGRAM | --camopt PROGRAM …) [--seed S] [--page FILE] [--out FOLDER]: a part of the counted trials.
+"""tally.py --minutes M (--soak PROGRAM | --camopt PROGRAM …) [--exports] [--only CLASS …] [--seed S] [--commit C] [--page FILE]
+[--out FOLDER]: a part of the counted trials.
 
 Adds to docs/trials.md, by commit: trials of camopt_soak (--soak), and random scenes of every class (checked_scenes.py) that camopt
-solves and the exact checker judges (--camopt). The next part goes on with the numbers after those that are counted; the page is
-written after every round, so a part that is interrupted loses the last round at most. Exit status 1 where something failed or a
-verdict was refuted.
+solves and the exact checker judges (--camopt). --exports: each of them is also exported in every format, and what is written is
+judged. The next part goes on with the numbers after those that are counted; the page is written after every round, so a part that is
+interrupted loses the last round at most. Exit status 1 where something failed or was refuted, 130 where it was interrupted.
 """
 import argparse
-import collections
-import json
 import re
+import signal
 import subprocess
 import sys
-import tempfile
 import time
 from pathlib import Path
 
-from checked_scenes import CLASSES, drawn
+from checked_scenes import CLASSES
+from checked_trial import OUTCOMES, ROOT, Judges, Trial
+from trials_page import Page, Table
 
-ROOT = Path(__file__).resolve().parents[2]
-COLUMNS = ("scenes", "optimal", "infeasible", "other", "disagreements", "confirmed", "not judged", "refuted")
+COLUMNS = ("scenes", "optimal", "infeasible", "other", "disagreements", "confirmed", "not judged", "refuted", "refused")
 CHANGED = {"--motions": "changed motions", "--cams": "changed cams"}  # classes of camopt_soak, by its options
 ROUND = {"--motions": 20, "--cams": 2}  # scenes
-BEGIN, END = "<!-- trials -->\n", "<!-- end of trials -->"
 
 
-class Page:
-    """The table: {(commit, class): Counter of COLUMNS}."""
-
+class Trials(Page):
     def __init__(self, file):
-        self.file, self.rows = file, {}
-        for commit, kind, *cells in re.findall(r"^\| `(\w+)` \| ([^|]+) \|" + r" (\d+) \|" * len(COLUMNS) + "$", file.read_text(), re.M):
-            self.rows[commit, kind] = collections.Counter(dict(zip(COLUMNS, map(int, cells))))
-
-    def add(self, commit, kind, counts):
-        self.rows[commit, kind] = self.rows.get((commit, kind), collections.Counter()) + collections.Counter(counts)
-        lines = ["| commit | class | " + " | ".join(COLUMNS) + " |", "|---|---|" + "--:|" * len(COLUMNS)]
-        lines += [f"| `{commit}` | {kind} | " + " | ".join(str(row[name]) for name in COLUMNS) + " |" for (commit, kind), row in self.rows.items()]
-        total = sum(self.rows.values(), collections.Counter())
-        lines.append("| all | all | " + " | ".join(str(total[name]) for name in COLUMNS) + " |")
-        head, rest = self.file.read_text().split(BEGIN, 1)
-        new = self.file.with_suffix(".new")
-        new.write_text(head + BEGIN + "\n".join(lines) + "\n" + END + rest.split(END, 1)[1])
-        new.replace(self.file)
+        self.scenes = Table("trials", ("commit", "class"), COLUMNS)
+        self.exports = Table("exports", ("commit", "format"), ("exports", *OUTCOMES))
+        self.reasons = Table("reasons", ("class or format", "outcome", "reason"), ("times",))
+        super().__init__(file, (self.scenes, self.exports, self.reasons))
 
     def next(self, commit, kind):
-        return self.rows.get((commit, kind), {"scenes": 0})["scenes"]
+        return self.scenes.rows.get((commit, kind), {"scenes": 0})["scenes"]
+
+    def add(self, commit, kind, counts, exports=None, reasons=()):
+        self.scenes.add((commit, kind), counts)
+        for name, outcome in (exports or {}).items():
+            self.exports.add((commit, name), {"exports": 1, outcome: 1})
+        for reason in reasons:
+            self.reasons.add(reason, {"times": 1})
+        self.save()
 
 
 def counts_of(report):
@@ -60,49 +55,40 @@ def counts_of(report):
             "disagreements": int(total[2])}
 
 
-def changed_scenes(program, option, arguments, first):
-    """One round of camopt_soak."""
-    beside = next(other for other in CHANGED if other != option)
-    command = [program, option, str(ROUND[option]), beside, "0", "--first", str(first), "--seed", str(arguments.seed), "--jobs", "2",
-               "--out", arguments.out]
+def changed_scenes(page, option, arguments):
+    """One round of camopt_soak; how often it failed."""
+    kind, beside = CHANGED[option], next(other for other in CHANGED if other != option)
+    command = [arguments.soak, option, str(ROUND[option]), beside, "0", "--first", str(page.next(arguments.commit, kind)),
+               "--seed", str(arguments.seed), "--jobs", "2", "--out", str(arguments.out)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     print(run.stdout.rsplit("relation ", 1)[0], end="", flush=True)
     counts = counts_of(run.stdout)
     if counts is None:
-        raise SystemExit(f"{program} ended with {run.returncode}: {run.stderr[-300:]}")
-    return counts
+        raise SystemExit(f"{arguments.soak} ended with {run.returncode}: {run.stderr[-300:]}")
+    page.add(arguments.commit, kind, counts)
+    return counts["disagreements"]
 
 
-def checked_scene(camopt, kind, arguments, number):
-    """One scene, solved and judged by scripts/verify-certificate."""
-    counts = {"scenes": 1}
-    with tempfile.TemporaryDirectory() as place:
-        scene, folder = Path(place) / "scene.toml", Path(place) / "result"
-        scene.write_text(drawn(kind, arguments.seed, number))
-        run = subprocess.run([camopt, "solve", str(scene), "--out", str(folder), "--set", "solver.max_seconds=20"], capture_output=True,
-                             text=True, check=False)
-        if run.returncode not in (0, 1, 3):
-            outcome, why = "disagreements", f"camopt ended with {run.returncode}: {run.stderr.strip()}"
-        else:
-            verdict = json.loads((folder / "result.json").read_text())["verdict"]
-            counts[verdict if verdict in COLUMNS else "other"] = 1
-            outcome, why = judged(folder)
-            if outcome == "not judged" and verdict not in ("optimal", "infeasible"):
-                outcome = None
-        if outcome:
-            counts[outcome] = 1
-        if outcome not in (None, "confirmed"):
-            kept = Path(arguments.out) / "checked" / f"{kind.replace(' ', '_')}_{arguments.seed}_{number}.toml"
-            kept.parent.mkdir(parents=True, exist_ok=True)
-            kept.write_text(scene.read_text())
-            print(f"{outcome}: {why}\n    {kept}", flush=True)
-    return counts
+def checked_scene(page, kind, judges, arguments):
+    """One scene of a class; how often it failed."""
+    trial = Trial(arguments.camopt, judges, arguments.out / "checked")
+    trial.run(kind, arguments.seed, page.next(arguments.commit, kind), arguments.exports)
+    page.add(arguments.commit, kind, trial.counts, trial.exports, trial.reasons)
+    return trial.counts["disagreements"] + trial.counts["refuted"] + list(trial.exports.values()).count("refuted")
 
 
-def judged(folder):
-    command = [sys.executable, "-B", str(ROOT / "scripts/verify-certificate"), str(folder), "--quiet"]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    return {0: "confirmed", 2: "not judged"}.get(run.returncode, "refuted"), (run.stdout + run.stderr).strip()
+def part(page, arguments):
+    """Until the time is over; a part that is short goes on with what had least."""
+    end, failed = time.monotonic() + 60 * arguments.minutes, 0
+    judges = Judges()
+    rounds = {CHANGED[option]: lambda kind, option=option: changed_scenes(page, option, arguments) for option in CHANGED if arguments.soak}
+    rounds |= {kind: lambda kind: checked_scene(page, kind, judges, arguments) for kind in CLASSES if arguments.camopt}
+    chosen = arguments.only or sorted(rounds, key=lambda kind: page.next(arguments.commit, kind))
+    while time.monotonic() < end:
+        for kind in chosen:
+            if time.monotonic() < end:
+                failed += rounds[kind](kind)
+    return failed
 
 
 def main():
@@ -110,25 +96,25 @@ def main():
     parser.add_argument("--minutes", type=float, default=10)
     parser.add_argument("--soak")
     parser.add_argument("--camopt")
+    parser.add_argument("--exports", action="store_true", help="of the scenes that --camopt solves")
+    parser.add_argument("--only", action="append", choices=[*CHANGED.values(), *CLASSES], metavar="CLASS")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--commit", help="of the programs; default: HEAD")
     parser.add_argument("--page", type=Path, default=ROOT / "docs/trials.md")
-    parser.add_argument("--out", default=str(ROOT / "out/soak"))
+    parser.add_argument("--out", type=Path, default=ROOT / "out/soak")
     arguments = parser.parse_args()
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
-    page, end, failed = Page(arguments.page), time.monotonic() + 60 * arguments.minutes, 0
-    rounds = [(kind, lambda n, option=option: changed_scenes(arguments.soak, option, arguments, n))
-              for option, kind in CHANGED.items() if arguments.soak]
-    rounds += [(kind, lambda n, kind=kind: checked_scene(arguments.camopt, kind, arguments, n)) for kind in CLASSES if arguments.camopt]
-    rounds.sort(key=lambda own: page.next(commit, own[0]))  # a part that is short goes on with what had least
-    while time.monotonic() < end:
-        for kind, make in rounds:
-            if time.monotonic() < end:
-                counts = make(page.next(commit, kind))
-                failed += counts.get("disagreements", 0) + counts.get("refuted", 0)
-                page.add(commit, kind, counts)
-    own = sum((row for (of, _), row in page.rows.items() if of == commit), collections.Counter())
-    print(f"{commit}: " + ", ".join(f"{own[name]} {name}" for name in COLUMNS))
-    return 1 if failed else 0
+    arguments.commit = arguments.commit or subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True,
+                                                          check=True).stdout.strip()
+    page = Trials(arguments.page)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        status = 1 if part(page, arguments) else 0
+    except KeyboardInterrupt:
+        status = 130
+    print(f"{arguments.commit}: {page.scenes.sum_of(arguments.commit)}")
+    if arguments.exports:
+        print(f"{arguments.commit}: {page.exports.sum_of(arguments.commit)}")
+    return status
 
 
 if __name__ == "__main__":
