@@ -85,21 +85,33 @@ class ExportOfPlaneCams(unittest.TestCase):
         self.assertLessEqual(bound, 2 * sampled)
 
     def test_claims_beside_the_files(self):
-        """The script confirms what camopt wrote, and refuses a claim that is too good."""
-        script, files = checker.ROOT / "scripts/verify-export", Path(self.place.name) / SCENES[0] / "files"
-        scene = files.parent / "scene.toml"
+        """The script confirms what camopt wrote, all of a folder, and refuses a claim that is too good; it refutes no file without claims."""
+        files = Path(self.place.name) / SCENES[0] / "files"
         self.assertTrue(self.cases[SCENES[0]])
+
+        def outcome(file, scene):
+            run = subprocess.run([sys.executable, checker.ROOT / "scripts/verify-export", file, scene], capture_output=True, text=True,
+                                 timeout=200, check=False)
+            self.assertEqual("", run.stderr)
+            return run.returncode, run.stdout
+
+        code, text = outcome(files, files.parent)
+        self.assertEqual((0, ["cam.nc:", "profile.dxf:"], 2), (code, re.findall(r"^\S+:$", text, re.M), text.count("\nCONFIRMED")), text)
         for name, stem in (("profile.dxf", "profile"), ("cam.nc", "cam")):
             with self.subTest(name):
-                run = subprocess.run([sys.executable, script, files / name, scene], capture_output=True, text=True, timeout=100, check=False)
-                self.assertEqual((0, "CONFIRMED"), (run.returncode, run.stdout.splitlines()[-1]), run.stdout + run.stderr)
                 path = files / (stem + ".check.json")
                 claims = json.loads(path.read_text())
                 path.write_text(json.dumps(claims | {"departure": {"profile_mm": 1e-4}}))
-                run = subprocess.run([sys.executable, script, files / name, scene], capture_output=True, text=True, timeout=100, check=False)
+                code, text = outcome(files / name, files.parent / "scene.toml")
                 path.write_text(json.dumps(claims))
-                self.assertEqual(1, run.returncode, run.stdout)
-                self.assertIn("line ", run.stdout.splitlines()[-1])
+                self.assertEqual(1, code, text)
+                self.assertIn("line ", text.splitlines()[-1])
+        for file, words in ((files / "cam.step", "has the claims of cam.nc"), (files / "drawing.pdf", "is not beside it"),
+                            (files.parent, "found no NAME.check.json")):
+            with self.subTest(file):
+                code, text = outcome(file, files.parent)
+                self.assertEqual(2, code, text)
+                self.assertIn(words, text)
 
     def test_stock_that_is_left(self):
         """The finishing pass is judged by the surface that leaves what the program says, every move by the cam."""
