@@ -23,6 +23,7 @@ struct Wish {
     bool laws = true;
     int least_degree = 3, rest = 2;
     bool odd_units = false, uneven = false;  ///< units 1e±9, segment widths 1 : 1e4
+    double speed_rpm = 0.0;                  ///< 0: drawn
 };
 
 struct SplineDraft {
@@ -99,7 +100,9 @@ void draw_units(Draw& draw, Draft& draft, const Wish& wish) {
         draft.units.lift = lift * 1e-3;
     }
     if (!wish.needs_speed && draw.chance(0.5)) return;
-    const double speed = wish.odd_units ? draw.sized(1e-9, 1e9) : draw.whole(20, 600);
+    const double speed = wish.speed_rpm > 0.0 ? wish.speed_rpm
+                         : wish.odd_units     ? draw.sized(1e-9, 1e9)
+                                              : draw.whole(20, 600);
     motion.set("speed_rpm", speed);
     draft.units.speed = speed * std::numbers::pi / 30.0;
 }
@@ -383,11 +386,7 @@ Draft motion_draft(Draw& draw, const Wish& wish) {
 }
 
 /// A motor in place of a cam: τ = r (m a + c v + F) + J a / r.
-Draft servo_draft(Draw& draw) {
-    Wish wish;
-    wish.motion = draw.chance(0.5)   ? MotionKind::drd
-                  : draw.chance(0.5) ? MotionKind::rr
-                                     : MotionKind::program;
+Draft servo_draft(Draw& draw, Wish wish) {
     wish.needs_speed = wish.lengths_only = true;
     wish.laws = false;
     Draft draft = motion_draft(draw, wish);
@@ -428,9 +427,7 @@ Draft servo_draft(Draw& draw) {
 }
 
 /// Limits of a cam that are linear in the motion: contact force, radius under a flat face, tolerances.
-Draft cam_draft(Draw& draw) {
-    Wish wish;
-    wish.motion = draw.chance(0.5) ? MotionKind::rr : MotionKind::program;
+Draft cam_draft(Draw& draw, Wish wish) {
     wish.needs_speed = wish.lengths_only = true;
     wish.laws = false;
     Draft draft = motion_draft(draw, wish);
@@ -653,38 +650,69 @@ Draft valve_draft(Draw& draw) {
     return draft;
 }
 
+Draft plain_draft(Draw& draw, const Wish& wish) {
+    Draft draft = motion_draft(draw, wish);
+    add_motion_terms(draw, draft, has_law(draft));
+    if (wish.odd_units) draft.change = "units";
+    if (wish.uneven) draft.change = "segment widths";
+    return draft;
+}
+
+MotionKind drawn_motion_kind(Draw& draw, int kind) {
+    switch (kind) {
+        case 1:
+            return MotionKind::rr;
+        case 2:
+            return draw.chance(0.4) ? MotionKind::rr : MotionKind::drd;
+        case 3:
+            return MotionKind::program;
+        case 4:
+            return draw.chance(0.5)   ? MotionKind::drd
+                   : draw.chance(0.5) ? MotionKind::rr
+                                      : MotionKind::program;
+        case 5:
+            return draw.chance(0.5) ? MotionKind::rr : MotionKind::program;
+        default:
+            return MotionKind::drd;
+    }
+}
+
 }  // namespace
 
 const char* known_kind_name(int kind) {
     static constexpr const char* names[known_kinds] = {
-        "rise",  "rise and return",        "ends in motion",    "program",
-        "servo", "linear limits of a cam", "output prescribed", "valve"};
+        "rise",   "rise and return",        "ends in motion",    "program",
+        "servo",  "linear limits of a cam", "output prescribed", "valve",
+        "machine"};
     return names[kind];
 }
 
 Draft drawn_draft(Draw& draw, int kind, bool extreme) {
-    Draft draft;
+    Wish wish;
+    wish.motion = drawn_motion_kind(draw, kind);
+    wish.ends_move = kind == 2;
     if (kind < 4) {
-        Wish wish;
-        wish.motion = kind == 1                       ? MotionKind::rr
-                      : kind == 3                     ? MotionKind::program
-                      : kind == 2 && draw.chance(0.4) ? MotionKind::rr
-                                                      : MotionKind::drd;
-        wish.ends_move = kind == 2;
         wish.odd_units = extreme && draw.chance(0.2);
         wish.uneven = extreme && draw.chance(0.2);
-        draft = motion_draft(draw, wish);
-        add_motion_terms(draw, draft, has_law(draft));
-        if (wish.odd_units) draft.change = "units";
-        if (wish.uneven) draft.change = "segment widths";
-    } else {
-        draft = kind == 4   ? servo_draft(draw)
-                : kind == 5 ? cam_draft(draw)
-                : kind == 6 ? output_draft(draw)
-                            : valve_draft(draw);
     }
+    Draft draft = kind < 4    ? plain_draft(draw, wish)
+                  : kind == 4 ? servo_draft(draw, wish)
+                  : kind == 5 ? cam_draft(draw, wish)
+                  : kind == 6 ? output_draft(draw)
+                              : valve_draft(draw);
     draft.kind = known_kind_name(kind);
     return draft;
+}
+
+Draft drawn_axis(Draw& draw, double speed_rpm, bool extreme) {
+    Wish wish;
+    wish.motion = MotionKind::program;
+    wish.needs_speed = true;
+    wish.speed_rpm = speed_rpm;
+    wish.laws = false;
+    wish.uneven = extreme && draw.chance(0.1);
+    if (draw.chance(0.5)) return plain_draft(draw, wish);
+    return draw.chance(0.6) ? servo_draft(draw, wish) : cam_draft(draw, wish);
 }
 
 }  // namespace camopt::soak

@@ -87,10 +87,12 @@ struct Draft {
     int continuity = 2;
 };
 
-/// Class by its number.
-inline constexpr int known_kinds = 8;
+/// Class by its number; the last one is that of machines, whose motions are those of drawn_axis.
+inline constexpr int known_kinds = 9, machine_kind = 8;
 [[nodiscard]] const char* known_kind_name(int kind);
 /// `extreme`: units 1e±9, segment widths 1 : 1e4.
 [[nodiscard]] Draft drawn_draft(Draw& draw, int kind, bool extreme);
+/// A program of one revolution at this speed, without laws, with a motor or a cam or neither.
+[[nodiscard]] Draft drawn_axis(Draw& draw, double speed_rpm, bool extreme);
 
 }  // namespace camopt::soak

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/soak/known/piecewise_space.hpp"
 
-#include "tests/soak/figures/polynomial.hpp"
-
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
@@ -185,10 +183,9 @@ bool PiecewiseSpace::close() {
     return smoothest_.allFinite();
 }
 
-std::vector<Extreme> PiecewiseSpace::extremes(const VectorXd& motion, const Combination& weights, int piece,
-                                              double low, double high) const {
-    const double a = begin(piece), h = width(piece);
-    // The combination as a polynomial of t: y = Σ C(p, k) Δᵏc₀ tᵏ.
+Polynomial PiecewiseSpace::polynomial(const VectorXd& motion, const Combination& weights, int piece) const {
+    const double h = width(piece);
+    // y = Σ C(p, k) Δᵏc₀ tᵏ.
     std::vector<long double> differences;
     for (int k = 0; k <= degree_; ++k)
         differences.push_back(motion[static_cast<Index>(piece) * (degree_ + 1) + k]);
@@ -203,14 +200,21 @@ std::vector<Extreme> PiecewiseSpace::extremes(const VectorXd& motion, const Comb
     }
     Polynomial sum(static_cast<std::size_t>(degree_) + 1, 0.0L);
     long double scale = 1.0L;
-    int lowest = degree_ + 1;
     for (int order = 0; order < static_cast<int>(weights.size()) && order <= degree_; ++order) {
-        if (weights[static_cast<std::size_t>(order)] != 0.0) lowest = std::min(lowest, order);
         for (std::size_t k = 0; k < y.size(); ++k)
             sum[k] += scale * static_cast<long double>(weights[static_cast<std::size_t>(order)]) * y[k];
         y = derivative_of(y);
         scale /= h;
     }
+    return sum;
+}
+
+std::vector<Extreme> PiecewiseSpace::extremes(const VectorXd& motion, const Combination& weights, int piece,
+                                              double low, double high) const {
+    const double a = begin(piece), h = width(piece);
+    Polynomial sum = polynomial(motion, weights, piece);
+    int lowest = 0;
+    while (lowest <= degree_ && weights[static_cast<std::size_t>(lowest)] == 0.0) ++lowest;
     std::vector<double> places = {low, high};
     if (lowest >= degree_) {  // constant along the piece: its middle says all
         places = {0.5 * (low + high)};

@@ -7,6 +7,8 @@
 // with the columns of Z an orthonormal basis of the null space of E. x has no unit, y counts in lifts.
 #pragma once
 
+#include "tests/soak/figures/polynomial.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -60,6 +62,9 @@ class PiecewiseSpace {
     [[nodiscard]] Eigen::VectorXd integral() const;
     /// G with cᵀ G c = ∫ (y⁽ʳ⁾)² dx over all pieces.
     [[nodiscard]] Eigen::MatrixXd energy(int order) const;
+    /// A combination along a piece, of t from 0 to 1.
+    [[nodiscard]] Polynomial polynomial(const Eigen::VectorXd& motion, const Combination& weights,
+                                        int piece) const;
     /// Extremes and ends of pieces between two locations, of one piece.
     [[nodiscard]] std::vector<Extreme> extremes(const Eigen::VectorXd& motion, const Combination& weights,
                                                 int piece, double low, double high) const;
