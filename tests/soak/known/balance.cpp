@@ -3,7 +3,7 @@
 
 #include "tests/soak/known/nonnegative.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -126,10 +126,9 @@ void Balance::judge_growth(double lipschitz, KnownAnswer& answer) const {
         left += std::pow(row.gradient.norm() * distance / row.size, 2);
     }
     if (a.rows() > a.cols()) return;
-    const Eigen::ColPivHouseholderQR<MatrixXd> factor(a.transpose());
-    const VectorXd pivots = factor.matrixQR().diagonal().cwiseAbs();
-    const double least = pivots[a.rows() - 1] / std::sqrt(static_cast<double>(a.cols()));
-    if (least < 1e-10 * pivots[0]) return;
+    const VectorXd stretches = Eigen::BDCSVD<MatrixXd>(a).singularValues();
+    const double least = stretches[a.rows() - 1];
+    if (least < 1e-10 * stretches[0]) return;
     answer.room = lipschitz * std::sqrt(static_cast<double>(a.rows())) / least;
     answer.error += lipschitz * std::sqrt(left) / least;
     answer.growth = lipschitz * (drift + std::sqrt(violation) / least);

@@ -20,7 +20,7 @@ inline constexpr double same_peak = 1e-11;  ///< relative: extremes that are one
 
 /// One row of the scene that is active at the motion: sign · (gradient · c) <= sign · value.
 struct ActiveRow {
-    enum class Of { term, area, rms, limit, corridor, point, clearance } of = Of::term;
+    enum class Of { term, area, rms, limit, rms_limit, corridor, point, clearance } of = Of::term;
     std::size_t owner = 0;
     Eigen::VectorXd gradient;
     double sign = 1.0;

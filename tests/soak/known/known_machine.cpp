@@ -2,7 +2,6 @@
 #include "tests/soak/known/known_machine.hpp"
 
 #include "tests/soak/figures/polynomial.hpp"
-#include "tests/soak/known/posing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,12 +19,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr std::array axis_names = {"first", "second", "third"};
 
 double wrapped(double angle) {
-    const double rest = std::fmod(angle, turn);
-    return rest < 0.0 ? rest + turn : rest;
+    const double rest = std::fmod(angle, turn_angle);
+    return rest < 0.0 ? rest + turn_angle : rest;
 }
 
 Polynomial sum_of(Polynomial one, const Polynomial& other, long double factor) {
@@ -93,7 +91,7 @@ Polynomial Axis::between(double from, double to) const {
 struct Clearance {
     std::vector<std::size_t> axes;
     std::vector<double> factors;
-    double from = 0.0, until = turn;
+    double from = 0.0, until = turn_angle;
     double at_least = 0.0;   ///< m or rad
     double scale = 0.0;      ///< Σ |factor| · lift
     double loosened = -1.0;  ///< part of the scale; below 0: it is left out unless it has a multiplier
@@ -106,7 +104,7 @@ struct Sum {
 
 class Machine {
  public:
-    Machine(Draw& draw, bool edges) : draw_(draw), question_(drawn_question(draw, edges)) {
+    Machine(Draw& draw, const Question& question, bool edges) : draw_(draw), question_(question) {
         speed_rpm_ = draw.whole(20, 600);
         const int count = draw.chance(0.7) ? 2 : 3;
         for (int k = 0; k < count; ++k) axes_.emplace_back(draw, speed_rpm_, edges);
@@ -160,7 +158,7 @@ std::vector<Sum> Machine::extremes(const Clearance& clearance) const {
     std::vector<double> angles = {clearance.from, clearance.until};
     for (const std::size_t axis : clearance.axes)
         for (const double angle : axes_[axis].master_angles())
-            for (const double one : {angle, angle + turn})
+            for (const double one : {angle, angle + turn_angle})
                 if (one > clearance.from && one < clearance.until) angles.push_back(one);
     std::ranges::sort(angles);
     const std::vector<double> breaks = angles;
@@ -207,7 +205,7 @@ ActiveRow Machine::row_at(const Clearance& clearance, double angle) const {
         const double weight = clearance.factors[static_cast<std::size_t>(own)] * axis.units().lift;
         row.gradient.segment(first, axis.space().size()) = weight * axis.row(x);
         // Its location is the difference of two angles of the master.
-        const double slope = axis.row(x, 1).dot(axis.posing.motion()) * 2.0 * turn / axis.units().unit;
+        const double slope = axis.row(x, 1).dot(axis.posing.motion()) * 2.0 * turn_angle / axis.units().unit;
         row.size += std::abs(weight) *
                     (std::abs(slope) +
                      axis.posing.size_of(derivative_alone(0), {x, axis.space().piece_of(x), 0.0}, 0.0));
@@ -222,8 +220,8 @@ bool Machine::stretch_from(Clearance& clearance, double angle) {
     for (int tries = 0; tries < 8; ++tries, reach *= 0.4) {
         clearance.from = onward ? angle : angle - reach;
         clearance.until = onward ? angle + reach : angle;
-        if (clearance.from < 0.0) clearance.until += turn;
-        if (clearance.from < 0.0) clearance.from += turn;
+        if (clearance.from < 0.0) clearance.until += turn_angle;
+        if (clearance.from < 0.0) clearance.from += turn_angle;
         if (std::ranges::all_of(extremes(clearance),
                                 [&](const Sum& one) { return one.value >= least - 1e-13 * std::abs(least); }))
             return true;
@@ -243,10 +241,10 @@ std::optional<Clearance> Machine::drawn_clearance() {
         clearance.scale += size * axes_[k].units().lift;
     }
     if (draw_.chance(0.8)) {
-        const double angle = draw_.between(0.0, turn);
+        const double angle = draw_.between(0.0, turn_angle);
         if (moving_at(clearance, angle) == 0 || !stretch_from(clearance, angle)) return {};
     } else if (draw_.chance(0.5)) {
-        clearance.from = draw_.between(0.0, turn);
+        clearance.from = draw_.between(0.0, turn_angle);
         clearance.until = clearance.from + draw_.between(0.3, 6.0);
     }
     clearance.at_least = std::ranges::min(extremes(clearance), {}, &Sum::value).value;
@@ -328,12 +326,12 @@ void Machine::write_clearance(const Clearance& clearance, bool tight, SceneText&
     Spelling spelling;
     while (spelling.ending.empty()) spelling = drawn_spelling(draw_, one, 0, 1.0);  // it has no unit of lifts
     table.set("at_least" + spelling.ending, at_least * spelling.factor);
-    if (clearance.from == 0.0 && clearance.until == turn) return;
+    if (clearance.from == 0.0 && clearance.until == turn_angle) return;
     const bool degrees = draw_.chance(0.7);
     const double size = degrees ? degree_angle : 1.0;
     table.set(degrees ? "from_deg" : "from_rad", clearance.from / size);
     table.set(degrees ? "to_deg" : "to_rad",
-              (clearance.until > turn ? clearance.until - turn : clearance.until) / size);
+              (clearance.until > turn_angle ? clearance.until - turn_angle : clearance.until) / size);
 }
 
 SceneText Machine::written() const {
@@ -363,15 +361,17 @@ KnownScene Machine::scene() {
     KnownScene scene{known_kind_name(machine_kind), "", written().text(), {}, answer_};
     for (std::size_t k = 0; k < axes_.size(); ++k) {
         scene.axes.push_back({fmt::format("{}.toml", axis_names[k]), axis_text(axes_[k])});
-        if (scene.change.empty()) scene.change = axes_[k].posing.draft().change;
+        const std::string& change = axes_[k].posing.draft().change;
+        // These are not moved, whatever else is extreme.
+        if (scene.change.empty() || change == "narrow corridors") scene.change = change;
     }
     return scene;
 }
 
 }  // namespace
 
-std::optional<KnownScene> drawn_machine(Draw& draw, bool edges) {
-    Machine machine(draw, edges);
+std::optional<KnownScene> drawn_machine(Draw& draw, const Question& question, bool edges) {
+    Machine machine(draw, question, edges);
     if (!machine.pose()) return {};
     return machine.scene();
 }

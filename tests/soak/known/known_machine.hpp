@@ -3,14 +3,13 @@
 // with the bounds, set points and costs of its own class, and clearances between them.
 #pragma once
 
-#include "tests/soak/draw.hpp"
-#include "tests/soak/known/known_scene.hpp"
+#include "tests/soak/known/posing.hpp"
 
 #include <optional>
 
 namespace camopt::soak {
 
 /// Nullopt: these draws give no machine.
-[[nodiscard]] std::optional<KnownScene> drawn_machine(Draw& draw, bool edges);
+[[nodiscard]] std::optional<KnownScene> drawn_machine(Draw& draw, const Question& question, bool edges);
 
 }  // namespace camopt::soak

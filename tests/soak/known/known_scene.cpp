@@ -9,9 +9,8 @@ namespace camopt::soak {
 
 namespace {
 
-std::optional<KnownScene> drawn_once(Draw& draw, int kind, bool edges) {
+std::optional<KnownScene> drawn_once(Draw& draw, int kind, const Question& question, bool edges) {
     Posing posing(draw, drawn_draft(draw, kind, edges), edges);
-    const Question question = drawn_question(draw, edges);
     if (!posing.draw_rows(question.feasible)) return {};
     Balance balance;
     posing.add_to(balance);
@@ -30,11 +29,19 @@ std::optional<KnownScene> drawn_once(Draw& draw, int kind, bool edges) {
 KnownScene drawn_known_scene(const KnownSettings& settings, long number) {
     // Kinds in turn.
     const int kind = settings.kind >= 0 ? settings.kind : static_cast<int>(number % known_kinds);
-    for (std::uint64_t attempt = 0; attempt < 200; ++attempt) {
-        Draw draw(settings.seed * 1000003ULL + (settings.edges ? 500009ULL : 0ULL) + attempt,
-                  static_cast<std::uint64_t>(number) * known_kinds + static_cast<std::uint64_t>(kind));
-        std::optional<KnownScene> scene = kind == machine_kind ? drawn_machine(draw, settings.edges)
-                                                               : drawn_once(draw, kind, settings.edges);
+    const std::uint64_t seed = settings.seed * 1000003ULL + (settings.edges ? 500009ULL : 0ULL),
+                        trial = static_cast<std::uint64_t>(number) * known_kinds +
+                                static_cast<std::uint64_t>(kind);
+    // Four scenes with a motion to one without.
+    const bool feasible = Draw(~seed, trial).chance(settings.edges ? 0.6 : 0.8);
+    constexpr std::uint64_t attempts = 400;
+    for (std::uint64_t attempt = 0; attempt < attempts; ++attempt) {
+        Draw draw(seed + attempt, trial);
+        // Draws that seldom have an optimum have a contradiction at last.
+        const Question question = drawn_question(draw, feasible && attempt < attempts / 2, settings.edges);
+        std::optional<KnownScene> scene = kind == machine_kind
+                                              ? drawn_machine(draw, question, settings.edges)
+                                              : drawn_once(draw, kind, question, settings.edges);
         if (!scene) continue;
         if (settings.edges && scene->answer.margin == 0.0) move_scene(draw, *scene);
         return std::move(*scene);

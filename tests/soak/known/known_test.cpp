@@ -72,7 +72,11 @@ TEST(PiecewiseSpace, ExtremesAreExact) {
     EXPECT_NEAR(most, 32.0 / 27.0, 1e-14);
     EXPECT_NEAR(space.integral().dot(space.smoothest()), 4.0 / 3.0, 1e-14);
     // ∫ (2·2 − 6x)² dx over [0, 2]
-    EXPECT_NEAR(space.smoothest().dot(space.energy(2) * space.smoothest()), 32.0, 1e-12);
+    PiecewiseSpace::Square square = space.no_square();
+    space.add_square(derivative_alone(2), 1.0, 0, 1, square);
+    EXPECT_NEAR(space.smoothest().dot(square.gram * space.smoothest()), 32.0, 1e-12);
+    EXPECT_NEAR(2.0 * square.linear.dot(space.smoothest()), -8.0, 1e-12);  // 2 (y'(2) − y'(0))
+    EXPECT_NEAR(square.constant, 2.0, 1e-14);
 }
 
 TEST(Balanced, MultipliersAreNotNegative) {

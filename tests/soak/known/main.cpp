@@ -46,7 +46,7 @@ constexpr const char* usage =
     "  --threads T      (2)\n"
     "  --state FILE     goes on with the first scene that this file does not count, and adds to it\n"
     "  --out FOLDER     where scenes that failed are written (out/known)\n"
-    "  --print          prints scene --first and its answer, and solves nothing\n"
+    "  --print          prints scene --first and its answer, a machine with its axes; solves nothing\n"
     "Ctrl-C: what is finished is counted. Exit status: 0 none wrong, 1 some are, 2 wrong command line.\n";
 
 template <typename Number>

@@ -112,17 +112,19 @@ VectorXd PiecewiseSpace::integral() const {
     return all;
 }
 
-MatrixXd PiecewiseSpace::energy(int order) const {
-    MatrixXd gram = MatrixXd::Zero(size(), size());
-    for (int piece = 0; piece < pieces(); ++piece) {
+void PiecewiseSpace::add_square(const Combination& weights, double constant, int first, int count,
+                                Square& sum) const {
+    for (int piece = first; piece < first + count; ++piece) {
         const Index at = static_cast<Index>(piece) * (degree_ + 1);
         for (std::size_t k = 0; k < nodes.size(); ++k) {
-            const VectorXd own = derivative_row(degree_, order, width(piece), 0.5 + 0.5 * nodes[k]);
-            gram.block(at, at, degree_ + 1, degree_ + 1) +=
-                0.5 * width(piece) * node_weights[k] * own * own.transpose();
+            const double weight = 0.5 * width(piece) * node_weights[k],
+                         x = begin(piece) + width(piece) * (0.5 + 0.5 * nodes[k]);
+            const VectorXd own = row(weights, piece, x).segment(at, degree_ + 1);
+            sum.gram.block(at, at, degree_ + 1, degree_ + 1) += weight * own * own.transpose();
+            sum.linear.segment(at, degree_ + 1) += weight * constant * own;
+            sum.constant += weight * constant * constant;
         }
     }
-    return gram;
 }
 
 void PiecewiseSpace::require(const VectorXd& row, double value, double growth) {
@@ -172,7 +174,9 @@ bool PiecewiseSpace::close() {
     VectorXd particular = range * solver.solve(values);
     particular += range * solver.solve(values - equations_ * particular);
     if ((values - equations_ * particular).lpNorm<Eigen::Infinity>() > 1e-10) return false;
-    const MatrixXd gram = energy(3);
+    Square jerk = no_square();
+    add_square(derivative_alone(3), 0.0, 0, pieces(), jerk);
+    const MatrixXd& gram = jerk.gram;
     const MatrixXd own = directions_.transpose() * gram * directions_;
     if (freedom() > 0)
         smoothest_ =

@@ -93,13 +93,15 @@ const Run& Posing::run_of(int piece) const {
     return draft_.runs.back();
 }
 
-std::vector<Extreme> Posing::extremes_of(const std::vector<Combination>& of_run) const {
+std::vector<Extreme> Posing::extremes_of(const Quantity& quantity) const {
     std::vector<Extreme> all;
     for (std::size_t k = 0; k < draft_.runs.size(); ++k) {
         const Run& run = draft_.runs[k];
         for (int piece = run.first; piece < run.first + run.pieces; ++piece) {
-            const std::vector<Extreme> own = draft_.space.extremes(motion_, of_run[k], piece);
-            all.insert(all.end(), own.begin(), own.end());
+            for (Extreme one : draft_.space.extremes(motion_, quantity.of_run[k], piece)) {
+                one.value += quantity.constant_in(k);
+                all.push_back(one);
+            }
         }
     }
     return all;
@@ -121,12 +123,12 @@ double Posing::size_of(const Combination& weights, const Extreme& at, double con
 void Posing::add_terms() {
     for (std::size_t t = 0; t < draft_.terms.size(); ++t) {
         const CostTerm& term = draft_.terms[t];
-        const std::vector<Extreme> found = extremes_of(term.of_run);
+        const std::vector<Extreme> found = extremes_of(term);
         double peak = std::abs(term.constant);
-        for (const Extreme& one : found) peak = std::max(peak, std::abs(one.value + term.constant));
+        for (const Extreme& one : found) peak = std::max(peak, std::abs(one.value));
         peaks_.push_back(peak);
         for (const Extreme& one : found) {
-            const double value = one.value + term.constant;
+            const double value = one.value;
             if (std::abs(value) < peak * (1.0 - same_peak)) continue;
             const auto run = static_cast<std::size_t>(&run_of(one.piece) - draft_.runs.data());
             ActiveRow row;
@@ -134,7 +136,7 @@ void Posing::add_terms() {
             row.owner = t;
             row.gradient = draft_.space.row(term.of_run[run], one.piece, one.x);
             row.sign = value > 0.0 ? 1.0 : -1.0;
-            row.size = size_of(term.of_run[run], one, term.constant);
+            row.size = size_of(term.of_run[run], one, term.constant_in(run));
             row.gap = peak - std::abs(value);
             row.preference = 3.0 * draw_.between(0.5, 1.0);
             add(std::move(row));
@@ -142,7 +144,7 @@ void Posing::add_terms() {
     }
 }
 
-void Posing::add_area_and_rms() {
+void Posing::add_area() {
     const VectorXd integral = draft_.space.integral();
     lost_area_ = 1.0 - (integral.dot(motion_) + draft_.resting_area) / draft_.length;
     // A law's own lost area is 1/2 on strokes alone.
@@ -156,17 +158,31 @@ void Posing::add_area_and_rms() {
         row.preference = 2.0;
         add(std::move(row));
     }
-    // Their motions are those of the splines alone, of one spline without laws next to it.
-    if (!draft_.may_count_rms || draft_.runs.size() > 1 || draft_.runs.front().table >= 0) return;
-    for (std::size_t k = 0; k < 2; ++k) {
-        if (!draw_.chance(0.12)) continue;
-        const MatrixXd energy = draft_.space.energy(static_cast<int>(k) + 2) / draft_.length;
-        rms_[k] = std::sqrt(motion_.dot(energy * motion_));
+}
+
+/// A cost, or a limit: the mean square over the runs and the rests.
+void Posing::add_root_mean_squares() {
+    for (std::size_t k = 0; k < draft_.root_mean_squares.size(); ++k) {
+        const RmsDraft& rms = draft_.root_mean_squares[k];
+        PiecewiseSpace::Square sum = draft_.space.no_square();
+        double length = rms.rests;
+        sum.constant = rms.rests * rms.constant * rms.constant;
+        for (std::size_t r = 0; r < draft_.runs.size(); ++r) {
+            const Run& run = draft_.runs[r];
+            length += run.end - run.begin;
+            draft_.space.add_square(rms.of_run[r], rms.constant_in(r), run.first, run.pieces, sum);
+        }
+        const VectorXd slope = sum.gram * motion_ + sum.linear;
+        rms_.push_back(std::sqrt((motion_.dot(slope) + sum.linear.dot(motion_) + sum.constant) / length));
+        rms_bounds_.push_back(rms_.back());
+        const bool limits = !rms.limit_key.empty() && draw_.chance(0.5);
+        if (!draw_.chance(rms.chance) || (!feasible_ && !limits)) continue;
         ActiveRow row;
-        row.of = ActiveRow::Of::rms;
+        row.of = limits ? ActiveRow::Of::rms_limit : ActiveRow::Of::rms;
         row.owner = k;
-        row.gradient = energy * motion_ / rms_[k];
-        row.size = 4.0 * rms_[k];
+        row.gradient = slope / (length * rms_.back());
+        row.size = 4.0 * rms_.back();
+        row.scale = rms_.back();
         row.preference = 2.0;
         add(std::move(row));
     }
@@ -176,11 +192,11 @@ void Posing::add_limits() {
     using Side = LimitDraft::Side;
     for (std::size_t l = 0; l < draft_.limits.size(); ++l) {
         const LimitDraft& limit = draft_.limits[l];
-        const std::vector<Extreme> found = extremes_of(limit.of_run);
+        const std::vector<Extreme> found = extremes_of(limit);
         double least = std::numeric_limits<double>::infinity(), most = -least;
         for (const Extreme& one : found) {
-            least = std::min(least, one.value + limit.constant);
-            most = std::max(most, one.value + limit.constant);
+            least = std::min(least, one.value);
+            most = std::max(most, one.value);
         }
         const double edge = limit.side == Side::above   ? most
                             : limit.side == Side::below ? least
@@ -196,7 +212,7 @@ void Posing::add_limits() {
         if (!allowed) continue;
         const double slack = same_peak * std::max(std::abs(edge), 1e-300);
         for (const Extreme& one : found) {
-            const double value = one.value + limit.constant;
+            const double value = one.value;
             const bool high = limit.side != Side::below && value >= edge - slack;
             const bool low = (limit.side == Side::below && value <= edge + slack) ||
                              (limit.side == Side::both && -value >= edge - slack);
@@ -208,7 +224,7 @@ void Posing::add_limits() {
             row.gradient = draft_.space.row(limit.of_run[run], one.piece, one.x);
             if (row.gradient.isZero(0.0)) continue;
             row.sign = high ? 1.0 : -1.0;
-            row.size = size_of(limit.of_run[run], one, limit.constant);
+            row.size = size_of(limit.of_run[run], one, limit.constant_in(run));
             row.scale = std::max(most, -least);
             row.gap = std::abs(edge - (limit.side == Side::both ? std::abs(value) : value));
             row.preference = 2.0 * draw_.between(0.5, 1.0);
@@ -263,7 +279,7 @@ void Posing::add_corridors() {
     std::array<double, 4> scales{};
     for (int order = 0; order <= 3; ++order)
         for (const Extreme& one :
-             extremes_of(std::vector<Combination>(draft_.runs.size(), derivative_alone(order))))
+             extremes_of({std::vector<Combination>(draft_.runs.size(), derivative_alone(order))}))
             scales[static_cast<std::size_t>(order)] =
                 std::max(scales[static_cast<std::size_t>(order)], std::abs(one.value));
     for (int tries = 0; tries < wanted; ++tries) {
@@ -289,6 +305,19 @@ void Posing::add_corridors() {
     }
 }
 
+void Posing::add_value(Point& point, int piece, int order, double preference) {
+    ActiveRow row;
+    row.of = ActiveRow::Of::point;
+    row.owner = points_.size();
+    row.gradient = draft_.space.row(derivative_alone(order), piece, point.x);
+    row.part = point.values.size();
+    point.values.push_back({order, row.gradient.dot(motion_), false});
+    row.size = size_of(derivative_alone(order), {point.x, piece, 0.0}, 0.0);
+    row.preference = preference;
+    row.free = true;
+    add(std::move(row));
+}
+
 void Posing::add_points() {
     const PiecewiseSpace& space = draft_.space;
     if (!draft_.may_pass_points || draw_.chance(0.4)) return;
@@ -298,23 +327,30 @@ void Posing::add_points() {
         Point point;
         point.run = static_cast<std::size_t>(&run_of(piece) - draft_.runs.data());
         point.x = space.begin(piece) + space.width(piece) * draw_.between(0.05, 0.95);
-        for (int order = 0; order <= 2; ++order) {
-            if (!draw_.chance(order == 0 ? 0.8 : 0.25)) continue;
-            const Extreme at{point.x, piece, 0.0};
-            ActiveRow row;
-            row.of = ActiveRow::Of::point;
-            row.owner = points_.size();
-            row.gradient = space.row(derivative_alone(order), piece, point.x);
-            row.part = point.values.size();
-            point.values.push_back({order, row.gradient.dot(motion_), false});
-            row.size = size_of(derivative_alone(order), at, 0.0);
-            row.preference = draw_.between(0.3, 1.5);
-            row.free = true;
-            add(std::move(row));
-        }
+        const bool straight = std::ranges::any_of(draft_.regions, [&](const Region& region) {
+            return point.x > region.from && point.x < region.to;
+        });
+        if (straight) continue;
+        for (int order = 0; order <= 2; ++order)
+            if (draw_.chance(order == 0 ? 0.8 : 0.25))
+                add_value(point, piece, order, draw_.between(0.3, 1.5));
         if (point.values.empty()) continue;
         points_.push_back(point);
         if (edges_ && draw_.chance(0.2)) add_twin(point, piece);
+    }
+}
+
+/// Their velocity is always written, and where they begin if it has a multiplier.
+void Posing::add_regions() {
+    for (const Region& region : draft_.regions) {
+        Point point;
+        point.run = region.run;
+        point.x = region.from;
+        point.until = region.to;
+        const int piece = draft_.space.piece_of(0.5 * (region.from + region.to));
+        add_value(point, piece, 1, draw_.between(0.3, 1.5));
+        if (draw_.chance(0.5)) add_value(point, piece, 0, draw_.between(0.3, 1.5));
+        points_.push_back(point);
     }
 }
 
@@ -377,10 +413,12 @@ bool Posing::draw_rows(bool feasible) {
     if (draft_.monotone && (!within_lift_ || !is_monotone())) return false;
     if (!can_be_built()) return false;
     add_terms();
-    if (feasible) add_area_and_rms();
+    if (feasible) add_area();
+    add_root_mean_squares();
     add_limits();
     add_corridors();
     add_points();
+    add_regions();
     return true;
 }
 
@@ -393,7 +431,8 @@ void Posing::choose() {
     for (ActiveRow& row : rows_)
         if (row.of == ActiveRow::Of::point)
             points_[row.owner].values[row.part].used = row.written =
-                row.multiplier > 0.0 || (feasible_ && draw_.chance(0.05));
+                row.multiplier > 0.0 || (points_[row.owner].until > 0.0 && row.part == 0) ||
+                (feasible_ && draw_.chance(0.05));
     for (std::size_t k = 1; k < points_.size(); ++k) {
         Point::Value &first = points_[k - 1].values.front(), &twin = points_[k].values.front();
         if (points_[k].twin_distance == 0.0 || !first.used || first.order != 0 || !feasible_) continue;
@@ -410,7 +449,10 @@ void Posing::choose() {
     for (std::size_t c = 0; c < corridors_.size(); ++c)
         if (multiplier_sum(ActiveRow::Of::corridor, c) == 0.0 && draw_.chance(0.06))
             corridor_loosened_[c] = draw_.between(0.02, 0.5);
-    for (double& reference : rms_reference_) reference = draw_.between(2.0, 40.0);
+    for (std::size_t k = 0; k < rms_.size(); ++k) {
+        const double known = draft_.root_mean_squares[k].reference;
+        rms_reference_.push_back(known > 0.0 ? known : rms_[k] * draw_.between(0.3, 3.0));
+    }
     if (draft_.reference_law.empty()) area_reference_ = std::round(draw_.between(0.2, 0.8) * 100.0) / 100.0;
 }
 
@@ -418,11 +460,12 @@ double Posing::total() const {
     double sum = multiplier_sum(ActiveRow::Of::area, 0) * lost_area_;
     for (std::size_t t = 0; t < draft_.terms.size(); ++t)
         sum += multiplier_sum(ActiveRow::Of::term, t) * peaks_[t];
-    for (std::size_t k = 0; k < 2; ++k) sum += multiplier_sum(ActiveRow::Of::rms, k) * rms_[k];
+    for (std::size_t k = 0; k < rms_.size(); ++k) sum += multiplier_sum(ActiveRow::Of::rms, k) * rms_[k];
     return sum;
 }
 
 bool Posing::tighten(const ActiveRow& row, double by) {
+    if (row.of == ActiveRow::Of::rms_limit) return (rms_bounds_[row.owner] -= by) > 0.0;
     if (row.of != ActiveRow::Of::limit) {
         Corridor& corridor = corridors_[row.owner];
         corridor.bound -= corridor.above ? by : -by;
@@ -456,11 +499,8 @@ void Posing::write_objective(SceneText& text) const {
             term.reference);
     }
     add("area", multiplier_sum(ActiveRow::Of::area, 0), area_reference_);
-    for (std::size_t k = 0; k < 2; ++k) {
-        const char* key = k == 0 ? "rms_acceleration" : "rms_jerk";
-        add(key, multiplier_sum(ActiveRow::Of::rms, k),
-            law ? law_figures(draft_.reference_law).at(key) : rms_reference_[k]);
-    }
+    for (std::size_t k = 0; k < rms_.size(); ++k)
+        add(draft_.root_mean_squares[k].key, multiplier_sum(ActiveRow::Of::rms, k), rms_reference_[k]);
     if (objective.members.empty()) {
         objective.set("jerk", 1.0);
         if (!law) references.set("jerk", 69.0);
@@ -488,6 +528,9 @@ void Posing::write_limits(SceneText& text) const {
         found->second.set(limit.member, number);
     }
     for (const auto& [key, table] : pairs) text.at("limits").set(key, inline_text(table));
+    for (std::size_t k = 0; k < rms_.size(); ++k)
+        if (multiplier_sum(ActiveRow::Of::rms_limit, k) > 0.0)
+            text.at("limits").set(draft_.root_mean_squares[k].limit_key, rms_bounds_[k]);
 }
 
 void Posing::write_corridors(SceneText& text) const {
@@ -519,10 +562,15 @@ void Posing::write_points(SceneText& text) const {
         const bool own = run.table >= 0;  // counted from the start of its segment, and in its angle
         const double unit = own ? run.end - run.begin : 1.0, begin = own ? run.begin : 0.0;
         SceneTable table;
-        if (spelling_draw_.chance(0.5))
-            table.set("at", (point.x - begin) / unit);
-        else
-            table.set("at_deg", (point.x - begin) * (draft_.units.unit / degree_angle));
+        const bool degrees = spelling_draw_.chance(0.5);
+        const auto place = [&](const char* key, double x) {
+            if (degrees)
+                table.set(std::string(key) + "_deg", (x - begin) * (draft_.units.unit / degree_angle));
+            else
+                table.set(key, (x - begin) / unit);
+        };
+        place(point.until > 0.0 ? "from" : "at", point.x);
+        if (point.until > 0.0) place("to", point.until);
         for (const auto& [order, value, used] : point.values) {
             if (!used) continue;
             const Spelling spelling =
@@ -577,9 +625,9 @@ void widen(KnownAnswer& answer, double distance) {
 
 }  // namespace
 
-Question drawn_question(Draw& draw, bool edges) {
+Question drawn_question(Draw& draw, bool feasible, bool edges) {
     Question question;
-    question.feasible = draw.chance(edges ? 0.6 : 0.8);
+    question.feasible = feasible;
     // Near the impossible: a millionth of it and less to either side.
     question.shift = draw.sized(1e-6, 1.0);
     if (edges && !question.feasible)

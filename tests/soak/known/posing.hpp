@@ -18,8 +18,7 @@ struct Question {
     bool feasible = true;
     double shift = 0.0;  ///< of one bound, in its scale; below 0: motions exist after all
 };
-/// Four scenes with a motion to one without.
-[[nodiscard]] Question drawn_question(Draw& draw, bool edges);
+[[nodiscard]] Question drawn_question(Draw& draw, bool feasible, bool edges);
 
 class Posing {
  public:
@@ -59,19 +58,22 @@ class Posing {
             bool used = false;
         };
         std::size_t run = 0;
-        double x = 0.0;
+        double x = 0.0, until = 0.0;  ///< `until`: of a region
         std::vector<Value> values;
         double twin_distance = 0.0;  ///< from the point before it; 0: it is no twin
     };
 
-    [[nodiscard]] std::vector<Extreme> extremes_of(const std::vector<Combination>& of_run) const;
+    [[nodiscard]] std::vector<Extreme> extremes_of(const Quantity& quantity) const;
     [[nodiscard]] const Run& run_of(int piece) const;
     void add(ActiveRow row) { rows_.push_back(std::move(row)); }
     void add_terms();
-    void add_area_and_rms();
+    void add_area();
+    void add_root_mean_squares();
     void add_limits();
     void add_corridors();
     void add_points();
+    void add_regions();
+    void add_value(Point& point, int piece, int order, double preference);
     void add_twin(Point point, int piece);
     [[nodiscard]] std::optional<Corridor> corridor_at(const Extreme& at, int order, bool above);
     [[nodiscard]] bool stays_within_strokes() const;
@@ -96,8 +98,9 @@ class Posing {
     std::vector<Corridor> corridors_;
     std::vector<double> corridor_loosened_;
     std::vector<Point> points_;
-    std::array<double, 2> rms_{};  ///< of acceleration and jerk
-    std::array<double, 2> rms_reference_{};
+    std::vector<double> rms_;            ///< of each root mean square
+    std::vector<double> rms_reference_;  ///< the same
+    std::vector<double> rms_bounds_;     ///< the same
     double lost_area_ = 0.0, area_reference_ = 0.5;
     bool feasible_ = true, within_lift_ = true;
     std::vector<double> drawn_weights_;  ///< of the terms of a scene without a motion
