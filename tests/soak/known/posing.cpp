@@ -340,18 +340,22 @@ void Posing::add_points() {
     }
 }
 
-/// Their velocity is always written, and where they begin if it has a multiplier.
-void Posing::add_regions() {
+/// Their velocity is always written, and where they begin if it has a multiplier. False: the pieces around
+/// one leave it no other velocity.
+bool Posing::add_regions() {
     for (const Region& region : draft_.regions) {
         Point point;
         point.run = region.run;
         point.x = region.from;
         point.until = region.to;
         const int piece = draft_.space.piece_of(0.5 * (region.from + region.to));
+        const VectorXd slope = draft_.space.row(derivative_alone(1), piece, region.from);
+        if ((draft_.space.directions().transpose() * slope).norm() < 1e-7 * slope.norm()) return false;
         add_value(point, piece, 1, draw_.between(0.3, 1.5));
         if (draw_.chance(0.5)) add_value(point, piece, 0, draw_.between(0.3, 1.5));
         points_.push_back(point);
     }
+    return true;
 }
 
 /// A second point so close to the first that both say a slope.
@@ -418,8 +422,7 @@ bool Posing::draw_rows(bool feasible) {
     add_limits();
     add_corridors();
     add_points();
-    add_regions();
-    return true;
+    return add_regions();
 }
 
 void Posing::add_to(Balance& balance) {

@@ -72,7 +72,7 @@ class Posing {
     void add_limits();
     void add_corridors();
     void add_points();
-    void add_regions();
+    [[nodiscard]] bool add_regions();
     void add_value(Point& point, int piece, int order, double preference);
     void add_twin(Point point, int piece);
     [[nodiscard]] std::optional<Corridor> corridor_at(const Extreme& at, int order, bool above);
