@@ -25,6 +25,7 @@ struct Wish {
     bool odd_units = false, uneven = false;  ///< units 1e±9, segment widths 1 : 1e4
     bool regions = false;                    ///< of constant velocity
     bool friction = false;                   ///< dry, of a motor
+    bool advances = false;                   ///< a program that goes on by a lift each cycle
     double rms_chance = 0.12;                ///< of each root mean square
     double speed_rpm = 0.0;                  ///< 0: drawn
 };
@@ -226,18 +227,18 @@ std::vector<ProgramPart> drawn_parts(Draw& draw, const Wish& wish) {
         if (kind == Kind::law) part.law = draw.one_of(known_laws());
         parts.push_back(part);
     };
-    if (draw.chance(0.6)) add(Kind::dwell, 0.0);
+    if (wish.advances || draw.chance(0.6)) add(Kind::dwell, 0.0);
     if (draw.chance(0.3)) add(Kind::spline, rounded(draw.between(0.25, 0.75), 0.01));
     add(Kind::spline, 1.0);
     if (draw.chance(0.6)) add(Kind::dwell, 1.0);
-    if (draw.chance(0.3)) {
+    if (!wish.advances && draw.chance(0.3)) {
         add(wish.laws && draw.chance(0.5) ? Kind::law : Kind::spline,
             rounded(draw.between(0.25, 0.75), 0.01));
         if (draw.chance(0.5)) add(Kind::dwell, parts.back().to);
     }
     const bool law = wish.laws && parts.back().kind != Kind::law && draw.chance(0.2);
-    add(law ? Kind::law : Kind::spline, 0.0);
-    if (parts.front().kind != Kind::dwell || draw.chance(0.4)) add(Kind::dwell, 0.0);
+    if (!wish.advances) add(law ? Kind::law : Kind::spline, 0.0);
+    if (!wish.advances && (parts.front().kind != Kind::dwell || draw.chance(0.4))) add(Kind::dwell, 0.0);
     // Whole degrees that add up to 360.
     double left = 360.0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -273,6 +274,8 @@ bool one_stroke(const ProgramPart& before, const ProgramPart& after) {
 void draw_program_parts(Draw& draw, const Wish& wish, Draft& draft) {
     draft.text.at("motion").set("type", quoted("program"));
     draw_units(draw, draft, wish);
+    draft.advances = wish.advances;
+    if (wish.advances) draft.text.at("motion").set("closed", quoted("relative"));
     std::vector<ProgramPart> parts = drawn_parts(draw, wish);
     const std::size_t count = parts.size();
     SplineDraft spline = drawn_spline(draw, wish, 9);
@@ -763,6 +766,7 @@ Draft drawn_draft(Draw& draw, int kind, bool extreme) {
     wish.ends_move = kind == 2;
     wish.friction = kind == 8;
     wish.regions = kind == 9;
+    wish.advances = kind == 3 && draw.chance(0.15);
     if (kind == 10) wish.rms_chance = 0.4;
     if (kind < 4) {
         wish.odd_units = extreme && draw.chance(0.2);
@@ -786,9 +790,10 @@ Draft drawn_axis(Draw& draw, double speed_rpm, bool extreme) {
     wish.laws = false;
     wish.uneven = extreme && draw.chance(0.1);
     wish.regions = draw.chance(0.15);
+    wish.advances = draw.chance(0.2);
     if (draw.chance(0.5)) return plain_draft(draw, wish);
     wish.friction = draw.chance(0.2);
-    return draw.chance(0.6) ? servo_draft(draw, wish) : cam_draft(draw, wish);
+    return wish.advances || draw.chance(0.6) ? servo_draft(draw, wish) : cam_draft(draw, wish);
 }
 
 }  // namespace camopt::soak

@@ -105,6 +105,7 @@ struct Draft {
     double resting_area = 0.0;  ///< ∫ y dx outside the splines
     bool may_pass_points = true;
     bool monotone = false;               ///< the motion has to be
+    bool advances = false;               ///< by a lift each cycle
     double lowest = -1e300;              ///< lifts: a cam is not built of motions below
     std::string reference_law;           ///< empty: numbers
     std::array<double, 4> made_error{};  ///< of y and its derivatives, x: tolerances

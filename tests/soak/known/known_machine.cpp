@@ -39,7 +39,8 @@ Polynomial shifted(const Polynomial& p, long double a, long double b) {
     return all;
 }
 
-/// A motion on the master: at the angle θ its x is (θ − phase) / unit within the cycle.
+/// A motion on the master: at the angle θ its x is (θ − phase) / unit within the cycle. One that advances is
+/// a lift back before its phase, so that it runs on from 0 to 2π of the master and falls back there.
 class Axis {
  public:
     Axis(Draw& draw, double speed_rpm, bool edges) : posing(draw, drawn_axis(draw, speed_rpm, edges), edges) {
@@ -51,8 +52,14 @@ class Axis {
 
     [[nodiscard]] const Units& units() const { return posing.draft().units; }
     [[nodiscard]] const PiecewiseSpace& space() const { return posing.draft().space; }
+    [[nodiscard]] double phase() const { return wrapped(phase_deg * degree_angle); }
+    [[nodiscard]] bool is_before_phase(double angle) const { return wrapped(angle) < phase(); }
     [[nodiscard]] double x_of(double angle) const {
-        return wrapped(angle - phase_deg * degree_angle) / units().unit;
+        return (wrapped(angle) - phase() + (is_before_phase(angle) ? turn_angle : 0.0)) / units().unit;
+    }
+    /// Lifts that its displacement has on top of y.
+    [[nodiscard]] double advanced_at(double angle) const {
+        return posing.draft().advances && is_before_phase(angle) ? -1.0 : 0.0;
     }
     [[nodiscard]] bool moves_at(double x) const {
         const int piece = space().piece_of(x);
@@ -73,18 +80,19 @@ std::vector<double> Axis::master_angles() const {
     std::vector<double> angles;
     for (int piece = 0; piece < space().pieces(); ++piece)
         for (const double x : {space().begin(piece), space().end(piece)})
-            angles.push_back(wrapped(phase_deg * degree_angle + x * units().unit));
+            angles.push_back(wrapped(phase() + x * units().unit));
     return angles;
 }
 
 Polynomial Axis::between(double from, double to) const {
-    const double x = x_of(0.5 * (from + to));
-    if (!moves_at(x)) return {row(x).dot(posing.motion())};
+    const double x = x_of(0.5 * (from + to)), advanced = advanced_at(0.5 * (from + to));
+    if (!moves_at(x)) return {row(x).dot(posing.motion()) + advanced};
     const int piece = space().piece_of(x);
     const long double middle = (static_cast<long double>(x) - space().begin(piece)) / space().width(piece),
                       length = (static_cast<long double>(to) - from) / units().unit / space().width(piece);
-    return shifted(space().polynomial(posing.motion(), derivative_alone(0), piece), middle - 0.5L * length,
-                   length);
+    return sum_of(shifted(space().polynomial(posing.motion(), derivative_alone(0), piece),
+                          middle - 0.5L * length, length),
+                  {advanced}, 1.0L);
 }
 
 /// Σ factor · displacement >= at_least from one angle of the master to another; `until` may pass 2π.
@@ -148,14 +156,18 @@ double Machine::sum_at(const Clearance& clearance, double angle, int order) cons
         const double x = axis.x_of(angle);
         if (order > 0 && !axis.moves_at(x)) continue;
         sum += clearance.factors[k] * axis.units().lift / std::pow(axis.units().unit, order) *
-               axis.row(x, order).dot(axis.posing.motion());
+               (axis.row(x, order).dot(axis.posing.motion()) + (order == 0 ? axis.advanced_at(angle) : 0.0));
     }
     return sum;
 }
 
 /// Where it is locally extreme, at breakpoints and at its ends.
 std::vector<Sum> Machine::extremes(const Clearance& clearance) const {
-    std::vector<double> angles = {clearance.from, clearance.until};
+    // Where axes fall back both sides count; the end of the whole revolution is before it.
+    const double before_fall = std::nextafter(turn_angle, 0.0);
+    std::vector<double> angles = {clearance.from,
+                                  clearance.until == turn_angle ? before_fall : clearance.until};
+    if (clearance.until > turn_angle) angles.insert(angles.end(), {before_fall, turn_angle});
     for (const std::size_t axis : clearance.axes)
         for (const double angle : axes_[axis].master_angles())
             for (const double one : {angle, angle + turn_angle})
@@ -207,7 +219,7 @@ ActiveRow Machine::row_at(const Clearance& clearance, double angle) const {
         // Its location is the difference of two angles of the master.
         const double slope = axis.row(x, 1).dot(axis.posing.motion()) * 2.0 * turn_angle / axis.units().unit;
         row.size += std::abs(weight) *
-                    (std::abs(slope) +
+                    (std::abs(slope) + std::abs(axis.advanced_at(angle)) +
                      axis.posing.size_of(derivative_alone(0), {x, axis.space().piece_of(x), 0.0}, 0.0));
     }
     return row;

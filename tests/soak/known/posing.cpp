@@ -150,7 +150,7 @@ void Posing::add_area() {
     // A law's own lost area is 1/2 on strokes alone.
     const bool known_area =
         draft_.reference_law.empty() || (draft_.runs.size() == 1 && draft_.runs.front().table < 0);
-    if (known_area && lost_area_ > 0.05 && draw_.chance(0.3)) {
+    if (known_area && !draft_.advances && lost_area_ > 0.05 && draw_.chance(0.3)) {
         ActiveRow row;
         row.of = ActiveRow::Of::area;
         row.gradient = -integral / draft_.length;
