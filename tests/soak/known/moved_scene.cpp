@@ -87,8 +87,9 @@ std::string moved_numbers(Draw& draw, const std::string& value, double by) {
 
 void move_scene(Draw& draw, KnownScene& scene) {
     if (draw.chance(0.15)) return write_zero_weights(scene);
-    // A narrow corridor may have no width once it is moved.
-    if (scene.change == "narrow corridors" || (!scene.change.empty() && draw.chance(0.5))) return;
+    // A narrow corridor may have no width once it is moved, nor set points a distance.
+    if (scene.change == "narrow corridors" || scene.change == "set points close together") return;
+    if (!scene.change.empty() && draw.chance(0.5)) return;
     // 0: one unit in the last place.
     static const std::vector<double> moves = {0.0,   1e-15, 1e-14, 1e-13, 1e-12, 1e-11,
                                               1e-10, 1e-9,  1e-8,  1e-7,  1e-6};

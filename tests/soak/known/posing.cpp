@@ -444,7 +444,7 @@ void Posing::choose() {
             if (row.of == ActiveRow::Of::point && row.owner == k && row.part == 0) row.written = true;
         closest_ = std::min(closest_, points_[k].twin_distance);
     }
-    if (closest_ < 1.0) draft_.change = "set points close together";
+    if (closest_ < 1.0 && !narrow_) draft_.change = "set points close together";
     // Bounds without a multiplier: some stay, farther off.
     for (std::size_t l = 0; l < draft_.limits.size(); ++l)
         if (multiplier_sum(ActiveRow::Of::limit, l) == 0.0 && draw_.chance(0.4))
