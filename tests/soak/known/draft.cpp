@@ -23,6 +23,11 @@ struct Wish {
     bool laws = true;
     int least_degree = 3, rest = 2;
     bool odd_units = false, uneven = false;  ///< units 1e±9, segment widths 1 : 1e4
+    bool regions = false;                    ///< of constant velocity
+    bool friction = false;                   ///< dry, of a motor
+    bool advances = false;                   ///< a program that goes on by a lift each cycle
+    double rms_chance = 0.12;                ///< of each root mean square
+    double speed_rpm = 0.0;                  ///< 0: drawn
 };
 
 struct SplineDraft {
@@ -77,6 +82,34 @@ std::vector<double> breakpoints_between(const SplineDraft& spline, double begin,
     return points;
 }
 
+/// The breakpoints with a region in them, one polynomial that is a straight line: those inside and, of
+/// uniform ones, those closer than a quarter of their distance give way.
+std::vector<double> with_region(std::vector<double> points, const Region& region, double closest) {
+    std::erase_if(points, [&](double point) {
+        const bool inner = point != points.front() && point != points.back();
+        return inner && point > region.from - closest && point < region.to + closest;
+    });
+    points.insert(std::ranges::upper_bound(points, region.from), {region.from, region.to});
+    return points;
+}
+
+/// Of the pieces that follow, which become one run. Between `begin` and `end` lies no displacement that is
+/// given.
+std::vector<double> drawn_region(Draw& draw, const SplineDraft& spline, std::vector<double> points,
+                                 double begin, double end, Draft& draft) {
+    const double width = end - begin, from = begin + width * draw.between(0.1, 0.7);
+    const Region region{draft.runs.size(), from, from + width * draw.between(0.05, 0.25)};
+    draft.regions.push_back(region);
+    const double distance = points[1] - points[0];
+    return with_region(std::move(points), region, spline.breakpoints.empty() ? 0.25 * distance : 1e-9);
+}
+
+/// The velocity itself is a set point (posing.cpp).
+void straighten(const Region& region, PiecewiseSpace& space) {
+    const int piece = space.piece_of(0.5 * (region.from + region.to));
+    for (int order = 2; order <= space.degree(); ++order) space.fix_begin(piece, order, 0.0);
+}
+
 double rounded(double value, double step) {
     return std::round(value / step) * step;
 }
@@ -99,7 +132,9 @@ void draw_units(Draw& draw, Draft& draft, const Wish& wish) {
         draft.units.lift = lift * 1e-3;
     }
     if (!wish.needs_speed && draw.chance(0.5)) return;
-    const double speed = wish.odd_units ? draw.sized(1e-9, 1e9) : draw.whole(20, 600);
+    const double speed = wish.speed_rpm > 0.0 ? wish.speed_rpm
+                         : wish.odd_units     ? draw.sized(1e-9, 1e9)
+                                              : draw.whole(20, 600);
     motion.set("speed_rpm", speed);
     draft.units.speed = speed * std::numbers::pi / 30.0;
 }
@@ -134,8 +169,13 @@ void draw_one_spline(Draw& draw, const Wish& wish, Draft& draft) {
     // Without the key a rise and return of unequal angles has other segments: here they are always given.
     write_spline(spline, draft.text, draft.length);
     PiecewiseSpace& space = draft.space = PiecewiseSpace(spline.degree);
-    const std::vector<double> points = breakpoints_between(spline, 0.0, draft.length);
+    std::vector<double> points = breakpoints_between(spline, 0.0, draft.length);
+    if (wish.regions) {
+        const bool falls = returns && draw.chance(0.5);
+        points = drawn_region(draw, spline, points, falls ? 1.0 : 0.0, falls ? draft.length : 1.0, draft);
+    }
     space.add_run(points, spline.continuity);
+    for (const Region& region : draft.regions) straighten(region, space);
     std::array<double, 2> start{}, end{};
     if (wish.ends_move) {
         if (draw.chance(0.8))
@@ -156,7 +196,7 @@ void draw_one_spline(Draw& draw, const Wish& wish, Draft& draft) {
         space.fix(1.0, 0, 1.0);
         space.fix(1.0, 1, 0.0);
     }
-    const bool even_ends = spline.breakpoints.empty() && !wish.ends_move;
+    const bool even_ends = spline.breakpoints.empty() && !wish.ends_move && !wish.regions;
     if (even_ends && draw.chance(0.1) && (!returns || draft.length == 2.0)) {
         space.reflect(!returns);
         draft.text.at("motion").set("symmetric", "true");
@@ -187,18 +227,18 @@ std::vector<ProgramPart> drawn_parts(Draw& draw, const Wish& wish) {
         if (kind == Kind::law) part.law = draw.one_of(known_laws());
         parts.push_back(part);
     };
-    if (draw.chance(0.6)) add(Kind::dwell, 0.0);
+    if (wish.advances || draw.chance(0.6)) add(Kind::dwell, 0.0);
     if (draw.chance(0.3)) add(Kind::spline, rounded(draw.between(0.25, 0.75), 0.01));
     add(Kind::spline, 1.0);
     if (draw.chance(0.6)) add(Kind::dwell, 1.0);
-    if (draw.chance(0.3)) {
+    if (!wish.advances && draw.chance(0.3)) {
         add(wish.laws && draw.chance(0.5) ? Kind::law : Kind::spline,
             rounded(draw.between(0.25, 0.75), 0.01));
         if (draw.chance(0.5)) add(Kind::dwell, parts.back().to);
     }
     const bool law = wish.laws && parts.back().kind != Kind::law && draw.chance(0.2);
-    add(law ? Kind::law : Kind::spline, 0.0);
-    if (parts.front().kind != Kind::dwell || draw.chance(0.4)) add(Kind::dwell, 0.0);
+    if (!wish.advances) add(law ? Kind::law : Kind::spline, 0.0);
+    if (!wish.advances && (parts.front().kind != Kind::dwell || draw.chance(0.4))) add(Kind::dwell, 0.0);
     // Whole degrees that add up to 360.
     double left = 360.0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -234,6 +274,8 @@ bool one_stroke(const ProgramPart& before, const ProgramPart& after) {
 void draw_program_parts(Draw& draw, const Wish& wish, Draft& draft) {
     draft.text.at("motion").set("type", quoted("program"));
     draw_units(draw, draft, wish);
+    draft.advances = wish.advances;
+    if (wish.advances) draft.text.at("motion").set("closed", quoted("relative"));
     std::vector<ProgramPart> parts = drawn_parts(draw, wish);
     const std::size_t count = parts.size();
     SplineDraft spline = drawn_spline(draw, wish, 9);
@@ -264,8 +306,12 @@ void draw_program_parts(Draw& draw, const Wish& wish, Draft& draft) {
         Run run;
         run.begin = begin;
         run.end = at / unit;
-        run.first = space.add_run(breakpoints_between(spline, run.begin, run.end), spline.continuity);
+        std::vector<double> points = breakpoints_between(spline, run.begin, run.end);
+        const bool region = wish.regions && (draft.regions.empty() || draw.chance(0.5));
+        if (region) points = drawn_region(draw, spline, points, run.begin, run.end, draft);
+        run.first = space.add_run(points, spline.continuity);
         run.pieces = space.pieces() - run.first;
+        if (region) straighten(draft.regions.back(), space);
         run.table = static_cast<int>(k);
         run.angle = part.angle / unit;
         run.height = std::abs(part.to - part.from);
@@ -368,6 +414,18 @@ void add_motion_terms(Draw& draw, Draft& draft, bool with_law_segments) {
     }
 }
 
+/// Of the splines alone, each stroke by its own angle and displacement.
+void add_root_mean_squares(Draft& draft, double chance) {
+    for (int order = 2; order <= 3; ++order) {
+        RmsDraft rms;
+        rms.key = std::string("rms_") + order_names[order];
+        rms.of_run = normalised(draft, order);
+        rms.chance = chance;
+        if (!draft.reference_law.empty()) rms.reference = law_figures(draft.reference_law).at(rms.key);
+        draft.root_mean_squares.push_back(rms);
+    }
+}
+
 bool has_law(const Draft& draft) {
     return std::ranges::any_of(draft.text.all("motion.segments"),
                                [](const SceneTable* table) { return table->word("kind", "") == "law"; });
@@ -382,16 +440,11 @@ Draft motion_draft(Draw& draw, const Wish& wish) {
     return draft;
 }
 
-/// A motor in place of a cam: τ = r (m a + c v + F) + J a / r.
-Draft servo_draft(Draw& draw) {
-    Wish wish;
-    wish.motion = draw.chance(0.5)   ? MotionKind::drd
-                  : draw.chance(0.5) ? MotionKind::rr
-                                     : MotionKind::program;
+/// A motor in place of a cam: τ = r (m a + c v + F + R sgn v) + J a / r.
+Draft servo_draft(Draw& draw, Wish wish) {
     wish.needs_speed = wish.lengths_only = true;
     wish.laws = false;
     Draft draft = motion_draft(draw, wish);
-    draft.may_count_rms = false;
     SceneTable& drive = draft.text.at("drive");
     const double load = draw.whole(1, 20), inertia = draw.whole(1, 20) * 1e-4, travel = draw.whole(20, 120),
                  viscous = draw.chance(0.6) ? draw.whole(1, 80) : 0,
@@ -401,6 +454,8 @@ Draft servo_draft(Draw& draw) {
     drive.set("transmission_mm_per_rev", travel);
     if (viscous > 0.0) drive.set("viscous_n_s_m", viscous);
     if (force > 0.0) drive.set("force_n", force);
+    const double friction = wish.friction ? draw.whole(1, 60) : 0.0;
+    if (wish.friction) drive.set("friction_n", friction);
     const double r = travel * 1e-3 / (2.0 * std::numbers::pi), pace = draft.units.speed / draft.units.unit,
                  lift = draft.units.lift;
     Combination torque{};
@@ -410,13 +465,17 @@ Draft servo_draft(Draw& draw) {
     term.key = "motor_torque";
     term.of_run = physical(draft, torque);
     term.constant = r * force;
+    if (wish.friction) {  // its direction has to be known
+        draft.monotone = true;
+        draft.text.at("motion").set("monotone", "true");
+        for (const Run& run : draft.runs) term.added.push_back((run.rises ? r : -r) * friction);
+    }
     term.reference = rounded(torque[2] * draw.between(4.0, 8.0), torque[2] * 1e-3);
     draft.terms.push_back(term);
     add_motion_terms(draw, draft, false);
     LimitDraft limit;
     limit.key = "motor_torque_nm";
-    limit.of_run = term.of_run;
-    limit.constant = term.constant;
+    static_cast<Quantity&>(limit) = term;
     limit.at_rest_least = limit.at_rest_most = term.constant;
     if (draw.chance(0.6)) add_limits(draw, draft, limit);
     LimitDraft speed;
@@ -424,13 +483,19 @@ Draft servo_draft(Draw& draw) {
     speed.of_run = physical(draft, scaled(derivative_alone(1), lift * pace / r * 30.0 / std::numbers::pi));
     if (draw.chance(0.4)) draft.limits.push_back(speed);
     draft.reference_law.clear();  // numbers: a law's motor torque is not known here
+    RmsDraft heat;
+    static_cast<Quantity&>(heat) = term;
+    heat.key = "motor_torque_rms";
+    heat.limit_key = "motor_torque_rms_nm";
+    heat.rests = wish.motion == MotionKind::program ? draft.length : turn_angle / draft.units.unit;
+    for (const Run& run : draft.runs) heat.rests -= run.end - run.begin;
+    heat.chance = 2.0 * wish.rms_chance;
+    draft.root_mean_squares.push_back(heat);
     return draft;
 }
 
 /// Limits of a cam that are linear in the motion: contact force, radius under a flat face, tolerances.
-Draft cam_draft(Draw& draw) {
-    Wish wish;
-    wish.motion = draw.chance(0.5) ? MotionKind::rr : MotionKind::program;
+Draft cam_draft(Draw& draw, Wish wish) {
     wish.needs_speed = wish.lengths_only = true;
     wish.laws = false;
     Draft draft = motion_draft(draw, wish);
@@ -573,7 +638,7 @@ LobeSide drawn_side(Draw& draw, double checking, const char* name, SceneText& te
 /// A program in the words of engine builders: ramps, two flanks that pass the checking height, a dwell.
 Draft valve_draft(Draw& draw) {
     Draft draft;
-    draft.may_count_rms = draft.may_pass_points = false;
+    draft.may_pass_points = false;
     draft.monotone = true;
     SceneTable& motion = draft.text.at("motion");
     motion.set("type", quoted("valve"));
@@ -602,7 +667,7 @@ Draft valve_draft(Draw& draw) {
                    down = drawn_side(draw, checking, "closing_ramp", draft.text);
     const double unit = draft.units.unit = opening + up.before_checking,
                  back = (whole - opening + down.before_checking) / unit;
-    draft.length = 2.0 * std::numbers::pi / unit;
+    draft.length = turn_angle / unit;
     SplineDraft spline;
     spline.degree = draw.chance(0.7) ? 3 : 5;
     spline.continuity = spline.degree - 1;
@@ -653,38 +718,82 @@ Draft valve_draft(Draw& draw) {
     return draft;
 }
 
+Draft plain_draft(Draw& draw, const Wish& wish) {
+    Draft draft = motion_draft(draw, wish);
+    add_motion_terms(draw, draft, has_law(draft));
+    add_root_mean_squares(draft, wish.rms_chance);
+    if (wish.odd_units) draft.change = "units";
+    if (wish.uneven) draft.change = "segment widths";
+    return draft;
+}
+
+MotionKind drawn_motion_kind(Draw& draw, int kind) {
+    using enum MotionKind;
+    switch (kind) {
+        case 1:
+            return rr;
+        case 2:
+            return draw.chance(0.4) ? rr : drd;
+        case 3:
+            return program;
+        case 4:
+        case 9:
+            return draw.chance(0.5) ? drd : draw.chance(0.5) ? rr : program;
+        case 5:
+            return draw.chance(0.5) ? rr : program;
+        case 8:
+            return draw.chance(0.5) ? drd : program;  // a run of RR goes both ways
+        case 10:
+            return draw.chance(0.5) ? program : draw.chance(0.5) ? rr : drd;
+        default:
+            return drd;
+    }
+}
+
 }  // namespace
 
 const char* known_kind_name(int kind) {
     static constexpr const char* names[known_kinds] = {
-        "rise",  "rise and return",        "ends in motion",    "program",
-        "servo", "linear limits of a cam", "output prescribed", "valve"};
+        "rise",         "rise and return",        "ends in motion",    "program",
+        "servo",        "linear limits of a cam", "output prescribed", "valve",
+        "dry friction", "constant velocity",      "root mean squares", "machine"};
     return names[kind];
 }
 
 Draft drawn_draft(Draw& draw, int kind, bool extreme) {
-    Draft draft;
+    Wish wish;
+    wish.motion = drawn_motion_kind(draw, kind);
+    wish.ends_move = kind == 2;
+    wish.friction = kind == 8;
+    wish.regions = kind == 9;
+    wish.advances = kind == 3 && draw.chance(0.15);
+    if (kind == 10) wish.rms_chance = 0.4;
     if (kind < 4) {
-        Wish wish;
-        wish.motion = kind == 1                       ? MotionKind::rr
-                      : kind == 3                     ? MotionKind::program
-                      : kind == 2 && draw.chance(0.4) ? MotionKind::rr
-                                                      : MotionKind::drd;
-        wish.ends_move = kind == 2;
         wish.odd_units = extreme && draw.chance(0.2);
         wish.uneven = extreme && draw.chance(0.2);
-        draft = motion_draft(draw, wish);
-        add_motion_terms(draw, draft, has_law(draft));
-        if (wish.odd_units) draft.change = "units";
-        if (wish.uneven) draft.change = "segment widths";
-    } else {
-        draft = kind == 4   ? servo_draft(draw)
-                : kind == 5 ? cam_draft(draw)
-                : kind == 6 ? output_draft(draw)
-                            : valve_draft(draw);
     }
+    const bool motor = kind == 4 || kind == 8 || (kind == 10 && draw.chance(0.5));
+    Draft draft = motor       ? servo_draft(draw, wish)
+                  : kind == 5 ? cam_draft(draw, wish)
+                  : kind == 6 ? output_draft(draw)
+                  : kind == 7 ? valve_draft(draw)
+                              : plain_draft(draw, wish);
     draft.kind = known_kind_name(kind);
     return draft;
+}
+
+Draft drawn_axis(Draw& draw, double speed_rpm, bool extreme) {
+    Wish wish;
+    wish.motion = MotionKind::program;
+    wish.needs_speed = true;
+    wish.speed_rpm = speed_rpm;
+    wish.laws = false;
+    wish.uneven = extreme && draw.chance(0.1);
+    wish.regions = draw.chance(0.15);
+    wish.advances = draw.chance(0.2);
+    if (draw.chance(0.5)) return plain_draft(draw, wish);
+    wish.friction = draw.chance(0.2);
+    return wish.advances || draw.chance(0.6) ? servo_draft(draw, wish) : cam_draft(draw, wish);
 }
 
 }  // namespace camopt::soak

@@ -14,7 +14,7 @@
 
 namespace camopt::soak {
 
-inline constexpr double degree_angle = std::numbers::pi / 180.0;
+inline constexpr double degree_angle = std::numbers::pi / 180.0, turn_angle = 2.0 * std::numbers::pi;
 
 /// What turns normalised numbers (lifts, x) into those of a scene.
 struct Units {
@@ -44,22 +44,45 @@ struct Run {
     int table = -1;  ///< its place among the tables motion.segments; −1: the motion itself
 };
 
-/// A part of the objective: weight · (largest |combination + constant|) / reference.
-struct CostTerm {
-    std::string key;
+/// A combination of each run, and constants: one of it all, also where the motion rests, and one more of each
+/// run.
+struct Quantity {
     std::vector<Combination> of_run;
     double constant = 0.0;
+    std::vector<double> added = {};  ///< empty: nothing
+
+    [[nodiscard]] double constant_in(std::size_t run) const {
+        return added.empty() ? constant : constant + added[run];
+    }
+};
+
+/// A part of the objective: weight · (largest |quantity|) / reference.
+struct CostTerm : Quantity {
+    std::string key;
     double reference = 1.0;
 };
 
-/// A bound of a combination along all runs, in [limits]: written as number = factor · bound.
-struct LimitDraft {
+/// The root mean square of a quantity, x rests outside the runs.
+struct RmsDraft : Quantity {
+    std::string key;
+    std::string limit_key;  ///< empty: there is no such limit
+    double rests = 0.0;
+    double reference = 0.0;  ///< 0: drawn
+    double chance = 0.0;     ///< of being a cost
+};
+
+/// A stretch of constant velocity, x.
+struct Region {
+    std::size_t run = 0;
+    double from = 0.0, to = 0.0;
+};
+
+/// A bound of a quantity, in [limits]: written as number = factor · bound.
+struct LimitDraft : Quantity {
     enum class Side { both, above, below };
     std::string key;     ///< with its unit
     std::string member;  ///< "": the number itself; "min", "max"
     Side side = Side::both;
-    std::vector<Combination> of_run;
-    double constant = 0.0;
     double factor = 1.0;
     double widening =
         0.0;  ///< of a bound for all cams within tolerances: the drawing's motion keeps so far away
@@ -76,21 +99,25 @@ struct Draft {
     std::vector<Run> runs;
     std::vector<CostTerm> terms;
     std::vector<LimitDraft> limits;
+    std::vector<RmsDraft> root_mean_squares;
+    std::vector<Region> regions;
     double length = 1.0;        ///< x of the whole motion
     double resting_area = 0.0;  ///< ∫ y dx outside the splines
-    bool may_count_rms = true;
     bool may_pass_points = true;
     bool monotone = false;               ///< the motion has to be
+    bool advances = false;               ///< by a lift each cycle
     double lowest = -1e300;              ///< lifts: a cam is not built of motions below
     std::string reference_law;           ///< empty: numbers
     std::array<double, 4> made_error{};  ///< of y and its derivatives, x: tolerances
     int continuity = 2;
 };
 
-/// Class by its number.
-inline constexpr int known_kinds = 8;
+/// Class by its number; that of machines has the motions of drawn_axis.
+inline constexpr int known_kinds = 12, machine_kind = 11;
 [[nodiscard]] const char* known_kind_name(int kind);
 /// `extreme`: units 1e±9, segment widths 1 : 1e4.
 [[nodiscard]] Draft drawn_draft(Draw& draw, int kind, bool extreme);
+/// A program of one revolution at this speed, without laws, with a motor or a cam or neither.
+[[nodiscard]] Draft drawn_axis(Draw& draw, double speed_rpm, bool extreme);
 
 }  // namespace camopt::soak

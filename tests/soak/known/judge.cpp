@@ -3,7 +3,11 @@
 
 #include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
+#include "input/machine/machine_reader.hpp"
+#include "studies/machine/machine.hpp"
 #include "studies/search/planned_solve.hpp"
+#include "tests/report/temporary_folder.hpp"
+#include "tests/soak/known/scene_files.hpp"
 
 #include <fmt/format.h>
 
@@ -64,6 +68,17 @@ Judged of_contradiction(const KnownAnswer& answer, const Certificate& found) {
     return judged;
 }
 
+Certificate certificate_of(const KnownScene& scene) {
+    if (scene.axes.empty())
+        return solve_without_explaining(scene_of_toml(scene.text, {}, "known"), {}).certificate;
+    const test::TemporaryFolder folder;  // machines are read from files
+    const std::filesystem::path file = write_scene(scene, folder.path(), "machine", "");
+    MachineOptions options;
+    options.max_seconds = 20.0;  // as in the scenes of one motion
+    options.explain = false;
+    return solve_machine(input::read_machine(file, load_scene), options).certificate;
+}
+
 }  // namespace
 
 const char* name_of(Judgement judgement) {
@@ -75,8 +90,7 @@ Judged judged(const KnownScene& scene) {
     const auto begin = std::chrono::steady_clock::now();
     Judged found;
     try {
-        const Solution solution = solve_without_explaining(scene_of_toml(scene.text, {}, "known"), {});
-        const Certificate& certificate = solution.certificate;
+        const Certificate certificate = certificate_of(scene);
         const bool optimum = scene.answer.feasible && scene.answer.margin == 0.0;
         found = optimum ? of_optimum(scene.answer, certificate) : of_contradiction(scene.answer, certificate);
         found.verdict = name_of(certificate.verdict);

@@ -9,13 +9,15 @@
 // weights of the objective. Then weak duality says that no motion is better than y₀: for every motion y that
 // satisfies the scene f(y) >= f(y₀) + Σ λ_i a_i (y − y₀) = f(y₀). Where the combination contains no peak, the
 // rows are Farkas multipliers: one bound moved by ε makes the scene infeasible by λ ε.
+//
+// A machine is several motions at once, and clearances are rows that have a gradient in two or more of them.
 #pragma once
 
 #include "tests/soak/draw.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace camopt::soak {
 
@@ -37,11 +39,18 @@ struct KnownAnswer {
     double margin = 0.0;
 };
 
+/// The scene of one axis of a machine.
+struct AxisFile {
+    std::string name;  ///< "first.toml", as the machine names it
+    std::string text;
+};
+
 struct KnownScene {
-    std::string kind;    ///< class of the table: "rise", …
-    std::string change;  ///< what was moved (edges); empty: nothing
-    std::string text;    ///< TOML
-    KnownAnswer answer;
+    std::string kind;                 ///< class of the table: "rise", …
+    std::string change;               ///< what was moved (edges); empty: nothing
+    std::string text;                 ///< TOML; of a machine the file [machine]
+    std::vector<AxisFile> axes = {};  ///< of a machine
+    KnownAnswer answer = {};
 };
 
 struct KnownSettings {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "tests/report/temporary_folder.hpp"
+#include "tests/soak/known/draft.hpp"
 #include "tests/soak/known/judge.hpp"
 #include "tests/soak/known/moved_scene.hpp"
 #include "tests/soak/known/nonnegative.hpp"
 #include "tests/soak/known/piecewise_space.hpp"
+#include "tests/soak/known/scene_files.hpp"
 #include "tests/soak/known/tally.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +72,11 @@ TEST(PiecewiseSpace, ExtremesAreExact) {
     EXPECT_NEAR(most, 32.0 / 27.0, 1e-14);
     EXPECT_NEAR(space.integral().dot(space.smoothest()), 4.0 / 3.0, 1e-14);
     // ∫ (2·2 − 6x)² dx over [0, 2]
-    EXPECT_NEAR(space.smoothest().dot(space.energy(2) * space.smoothest()), 32.0, 1e-12);
+    PiecewiseSpace::Square square = space.no_square();
+    space.add_square(derivative_alone(2), 1.0, 0, 1, square);
+    EXPECT_NEAR(space.smoothest().dot(square.gram * space.smoothest()), 32.0, 1e-12);
+    EXPECT_NEAR(2.0 * square.linear.dot(space.smoothest()), -8.0, 1e-12);  // 2 (y'(2) − y'(0))
+    EXPECT_NEAR(square.constant, 2.0, 1e-14);
 }
 
 TEST(Balanced, MultipliersAreNotNegative) {
@@ -83,7 +90,7 @@ TEST(Balanced, MultipliersAreNotNegative) {
 }
 
 TEST(KnownScenes, SameNumberMakesSameScene) {
-    for (int kind = 0; kind < 8; ++kind) {
+    for (int kind = 0; kind < known_kinds; ++kind) {
         const KnownScene one = drawn_known_scene({3, kind, true}, 5),
                          other = drawn_known_scene({3, kind, true}, 5);
         EXPECT_FALSE(one.text.empty());
@@ -108,6 +115,36 @@ TEST(KnownScenes, WrongAnswerIsNoticed) {
     EXPECT_EQ(judged(scene).judgement, Judgement::wrong);
     scene.text += "unknown = 1\n";
     EXPECT_EQ(judged(scene).judgement, Judgement::refused);
+}
+
+TEST(KnownScenes, WrongAnswerOfMachineIsNoticed) {
+    KnownScene machine = scene_with(machine_kind, true);
+    EXPECT_GE(machine.axes.size(), 2U);
+    EXPECT_NE(machine.text.find("[[clearance]]"), std::string::npos);
+    EXPECT_EQ(judged(machine).judgement, Judgement::right) << machine.text;
+    const double optimum = machine.answer.objective;
+    for (const double change : {-1e-6, 1e-6}) {
+        machine.answer.objective = optimum * (1.0 + change);
+        EXPECT_EQ(judged(machine).judgement, Judgement::wrong) << change;
+    }
+    // Without its clearances the axes have other optima.
+    machine.answer.objective = optimum;
+    machine.text.erase(machine.text.find("[[clearance]]"));
+    EXPECT_EQ(judged(machine).judgement, Judgement::wrong);
+    machine = scene_with(machine_kind, false);
+    EXPECT_EQ(judged(machine).judgement, Judgement::right) << machine.text;
+    machine.axes.front().text += "unknown = 1\n";
+    EXPECT_EQ(judged(machine).judgement, Judgement::refused);
+}
+
+TEST(KnownScenes, MachineIsWrittenAsFolder) {
+    const test::TemporaryFolder folder;
+    const KnownScene machine = scene_with(machine_kind, true);
+    const std::filesystem::path file = write_scene(machine, folder.path(), "it", "# why\n");
+    EXPECT_EQ(file, std::filesystem::path(folder.path()) / "it" / "machine.toml");
+    for (const AxisFile& axis : machine.axes)
+        EXPECT_EQ(std::filesystem::file_size(file.parent_path() / axis.name), axis.text.size());
+    EXPECT_EQ(write_scene(scene_with(0, true), folder.path(), "it", "").filename(), "it.toml");
 }
 
 TEST(KnownScenes, MovedNumbersKeepWordsAndCounts) {

@@ -3,6 +3,7 @@
 // are.
 #include "tests/soak/figures/law.hpp"
 #include "tests/soak/known/draft.hpp"
+#include "tests/soak/known/scene_files.hpp"
 #include "tests/soak/known/tally.hpp"
 #include "tests/soak/run/progress.hpp"
 
@@ -14,7 +15,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -46,7 +46,7 @@ constexpr const char* usage =
     "  --threads T      (2)\n"
     "  --state FILE     goes on with the first scene that this file does not count, and adds to it\n"
     "  --out FOLDER     where scenes that failed are written (out/known)\n"
-    "  --print          prints scene --first and its answer, and solves nothing\n"
+    "  --print          prints scene --first and its answer, a machine with its axes; solves nothing\n"
     "Ctrl-C: what is finished is counted. Exit status: 0 none wrong, 1 some are, 2 wrong command line.\n";
 
 template <typename Number>
@@ -101,7 +101,7 @@ Options read_options(int count, char** words) {
 }
 
 /// The answer as remarks above the scene.
-std::string with_answer(const KnownScene& scene) {
+std::string answer_text(const KnownScene& scene) {
     const KnownAnswer& answer = scene.answer;
     std::string text =
         fmt::format("# class: {}{}{}\n", scene.kind, scene.change.empty() ? "" : ", ", scene.change);
@@ -111,7 +111,12 @@ std::string with_answer(const KnownScene& scene) {
     else
         text += fmt::format("# known: {} by {:.2e} of the sizes of its rows; condition {:.1e}\n",
                             answer.feasible ? "feasible" : "infeasible", answer.margin, answer.condition);
-    return text + scene.text;
+    return text;
+}
+
+void print(const KnownScene& scene) {
+    fmt::print("{}{}", answer_text(scene), scene.text);
+    for (const AxisFile& axis : scene.axes) fmt::print("\n# {}\n{}", axis.name, axis.text);
 }
 
 class Trials {
@@ -152,15 +157,14 @@ class Trials {
     void keep(long number, const KnownScene& scene, const Judged& found) const {
         const std::filesystem::path folder =
             std::filesystem::path(options_.folder) / name_of(found.judgement);
-        std::filesystem::create_directories(folder);
         const std::string name =
-            fmt::format("{}{}_{}{}.toml", options_.settings.edges ? "edge_" : "", options_.settings.seed,
-                        number, options_.settings.kind < 0 ? "" : fmt::format("_{}", options_.settings.kind));
-        std::ofstream(folder / name) << fmt::format("# {}\n", found.why.substr(0, found.why.find('\n')))
-                                     << with_answer(scene);
+            fmt::format("{}{}_{}{}", options_.settings.edges ? "edge_" : "", options_.settings.seed, number,
+                        options_.settings.kind < 0 ? "" : fmt::format("_{}", options_.settings.kind));
+        const std::string why = fmt::format("# {}\n", found.why.substr(0, found.why.find('\n')));
+        const std::filesystem::path file = write_scene(scene, folder, name, why + answer_text(scene));
         if (found.judgement == Judgement::wrong || found.judgement == Judgement::refused)
             fmt::print("{} {} ({}): {}\n    {}\n", name_of(found.judgement), number, scene.kind, found.why,
-                       (folder / name).string());
+                       file.string());
         std::fflush(stdout);
     }
 
@@ -197,7 +201,7 @@ int main(int count, char** words) {
         for (const std::string& law : known_laws())
             static_cast<void>(law_figures(law));  // found once, not by every thread
         if (options.print) {
-            fmt::print("{}", with_answer(drawn_known_scene(options.settings, options.first)));
+            print(drawn_known_scene(options.settings, options.first));
             return 0;
         }
         std::signal(SIGINT, [](int) { interrupted = true; });

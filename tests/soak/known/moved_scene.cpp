@@ -26,22 +26,32 @@ bool stays(const SceneTable& table, const std::string& key, bool own_breakpoints
     return own_breakpoints && (key == "rise_deg" || key == "return_deg");
 }
 
-void move_numbers(Draw& draw, KnownScene& scene, double by) {
-    SceneText text = SceneText::parse(scene.text);
+std::string moved_text(Draw& draw, const std::string& toml, double by) {
+    SceneText text = SceneText::parse(toml);
     const bool own_breakpoints =
         !text.list("spline", "breakpoints").empty() || text.word("motion", "symmetric", "") == "true";
     for (SceneTable& table : text.tables())
         for (auto& [key, value] : table.members)
             if (!stays(table, key, own_breakpoints)) value = moved_numbers(draw, value, by);
-    scene.text = text.text();
+    return text.text();
 }
 
-void write_zero_weights(KnownScene& scene) {
-    SceneText text = SceneText::parse(scene.text);
+void move_numbers(Draw& draw, KnownScene& scene, double by) {
+    scene.text = moved_text(draw, scene.text, by);
+    for (AxisFile& axis : scene.axes) axis.text = moved_text(draw, axis.text, by);
+}
+
+std::string with_zero_weights(const std::string& toml) {
+    SceneText text = SceneText::parse(toml);
     SceneTable& objective = text.at("objective");
     for (const char* key : {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk"})
         if (!objective.find(key)) objective.set(key, "0");
-    scene.text = text.text();
+    return text.text();
+}
+
+void write_zero_weights(KnownScene& scene) {
+    if (scene.axes.empty()) scene.text = with_zero_weights(scene.text);
+    for (AxisFile& axis : scene.axes) axis.text = with_zero_weights(axis.text);
     scene.change = "weights of 0";
 }
 
@@ -77,8 +87,9 @@ std::string moved_numbers(Draw& draw, const std::string& value, double by) {
 
 void move_scene(Draw& draw, KnownScene& scene) {
     if (draw.chance(0.15)) return write_zero_weights(scene);
-    // A narrow corridor may have no width once it is moved.
-    if (scene.change == "narrow corridors" || (!scene.change.empty() && draw.chance(0.5))) return;
+    // A narrow corridor may have no width once it is moved, nor set points a distance.
+    if (scene.change == "narrow corridors" || scene.change == "set points close together") return;
+    if (!scene.change.empty() && draw.chance(0.5)) return;
     // 0: one unit in the last place.
     static const std::vector<double> moves = {0.0,   1e-15, 1e-14, 1e-13, 1e-12, 1e-11,
                                               1e-10, 1e-9,  1e-8,  1e-7,  1e-6};

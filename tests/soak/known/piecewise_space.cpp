@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/soak/known/piecewise_space.hpp"
 
-#include "tests/soak/figures/polynomial.hpp"
-
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
@@ -114,17 +112,19 @@ VectorXd PiecewiseSpace::integral() const {
     return all;
 }
 
-MatrixXd PiecewiseSpace::energy(int order) const {
-    MatrixXd gram = MatrixXd::Zero(size(), size());
-    for (int piece = 0; piece < pieces(); ++piece) {
+void PiecewiseSpace::add_square(const Combination& weights, double constant, int first, int count,
+                                Square& sum) const {
+    for (int piece = first; piece < first + count; ++piece) {
         const Index at = static_cast<Index>(piece) * (degree_ + 1);
         for (std::size_t k = 0; k < nodes.size(); ++k) {
-            const VectorXd own = derivative_row(degree_, order, width(piece), 0.5 + 0.5 * nodes[k]);
-            gram.block(at, at, degree_ + 1, degree_ + 1) +=
-                0.5 * width(piece) * node_weights[k] * own * own.transpose();
+            const double weight = 0.5 * width(piece) * node_weights[k],
+                         x = begin(piece) + width(piece) * (0.5 + 0.5 * nodes[k]);
+            const VectorXd own = row(weights, piece, x).segment(at, degree_ + 1);
+            sum.gram.block(at, at, degree_ + 1, degree_ + 1) += weight * own * own.transpose();
+            sum.linear.segment(at, degree_ + 1) += weight * constant * own;
+            sum.constant += weight * constant * constant;
         }
     }
-    return gram;
 }
 
 void PiecewiseSpace::require(const VectorXd& row, double value, double growth) {
@@ -174,7 +174,9 @@ bool PiecewiseSpace::close() {
     VectorXd particular = range * solver.solve(values);
     particular += range * solver.solve(values - equations_ * particular);
     if ((values - equations_ * particular).lpNorm<Eigen::Infinity>() > 1e-10) return false;
-    const MatrixXd gram = energy(3);
+    Square jerk = no_square();
+    add_square(derivative_alone(3), 0.0, 0, pieces(), jerk);
+    const MatrixXd& gram = jerk.gram;
     const MatrixXd own = directions_.transpose() * gram * directions_;
     if (freedom() > 0)
         smoothest_ =
@@ -185,10 +187,9 @@ bool PiecewiseSpace::close() {
     return smoothest_.allFinite();
 }
 
-std::vector<Extreme> PiecewiseSpace::extremes(const VectorXd& motion, const Combination& weights, int piece,
-                                              double low, double high) const {
-    const double a = begin(piece), h = width(piece);
-    // The combination as a polynomial of t: y = Σ C(p, k) Δᵏc₀ tᵏ.
+Polynomial PiecewiseSpace::polynomial(const VectorXd& motion, const Combination& weights, int piece) const {
+    const double h = width(piece);
+    // y = Σ C(p, k) Δᵏc₀ tᵏ.
     std::vector<long double> differences;
     for (int k = 0; k <= degree_; ++k)
         differences.push_back(motion[static_cast<Index>(piece) * (degree_ + 1) + k]);
@@ -203,14 +204,21 @@ std::vector<Extreme> PiecewiseSpace::extremes(const VectorXd& motion, const Comb
     }
     Polynomial sum(static_cast<std::size_t>(degree_) + 1, 0.0L);
     long double scale = 1.0L;
-    int lowest = degree_ + 1;
     for (int order = 0; order < static_cast<int>(weights.size()) && order <= degree_; ++order) {
-        if (weights[static_cast<std::size_t>(order)] != 0.0) lowest = std::min(lowest, order);
         for (std::size_t k = 0; k < y.size(); ++k)
             sum[k] += scale * static_cast<long double>(weights[static_cast<std::size_t>(order)]) * y[k];
         y = derivative_of(y);
         scale /= h;
     }
+    return sum;
+}
+
+std::vector<Extreme> PiecewiseSpace::extremes(const VectorXd& motion, const Combination& weights, int piece,
+                                              double low, double high) const {
+    const double a = begin(piece), h = width(piece);
+    Polynomial sum = polynomial(motion, weights, piece);
+    int lowest = 0;
+    while (lowest <= degree_ && weights[static_cast<std::size_t>(lowest)] == 0.0) ++lowest;
     std::vector<double> places = {low, high};
     if (lowest >= degree_) {  // constant along the piece: its middle says all
         places = {0.5 * (low + high)};

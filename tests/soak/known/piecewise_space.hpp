@@ -7,6 +7,8 @@
 // with the columns of Z an orthonormal basis of the null space of E. x has no unit, y counts in lifts.
 #pragma once
 
+#include "tests/soak/figures/polynomial.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -58,8 +60,19 @@ class PiecewiseSpace {
     [[nodiscard]] Eigen::VectorXd row(const Combination& weights, int piece, double x) const;
     /// The row of ∫ y dx over all pieces.
     [[nodiscard]] Eigen::VectorXd integral() const;
-    /// G with cᵀ G c = ∫ (y⁽ʳ⁾)² dx over all pieces.
-    [[nodiscard]] Eigen::MatrixXd energy(int order) const;
+    /// Of ∫ (combination + constant)² dx over some pieces: cᵀ gram c + 2 linearᵀ c + constant.
+    struct Square {
+        Eigen::MatrixXd gram;
+        Eigen::VectorXd linear;
+        double constant = 0.0;
+    };
+    [[nodiscard]] Square no_square() const {
+        return {Eigen::MatrixXd::Zero(size(), size()), Eigen::VectorXd::Zero(size())};
+    }
+    void add_square(const Combination& weights, double constant, int first, int count, Square& sum) const;
+    /// A combination along a piece, of t from 0 to 1.
+    [[nodiscard]] Polynomial polynomial(const Eigen::VectorXd& motion, const Combination& weights,
+                                        int piece) const;
     /// Extremes and ends of pieces between two locations, of one piece.
     [[nodiscard]] std::vector<Extreme> extremes(const Eigen::VectorXd& motion, const Combination& weights,
                                                 int piece, double low, double high) const;
