@@ -62,6 +62,15 @@ class Places:
             low, high = (low, inner[1]) if near <= far else (inner[0], high)
         return (low + high) // 2
 
+    def following(self, point, i, least):
+        """The place next to a sample, from `least` on. Where it comes no further, at a cusp, which every point beside it finds, the
+        nearest of those next to the neighbouring samples too."""
+        place = max(self.refined(point, self.place(i)), least)
+        if place - least > self.step // 1000:
+            return place
+        places = [place, *(max(self.refined(point, self.place(i + k)), least) for k in (-1, 1))]
+        return min(places, key=lambda x: math.dist(self.cam.point(x, self.offset)[:2], point))
+
     def along(self, points):
         """Ascending places of the vertices of a curve that runs with the cam angle; of a closed one the first again a revolution
         later, of an open one both ends."""
@@ -69,7 +78,7 @@ class Places:
         found = [self.begin if self.is_open else self.refined(points[0], self.place(matched[0]))]
         last = self.end if self.is_open else found[0] + self.end
         for point, i in zip(points[1:], matched[1:]):
-            found.append(min(max(self.refined(point, self.place(i)), found[-1]), last))
+            found.append(min(self.following(point, i, found[-1]), last))
         return (found[:-1] if self.is_open else found) + [last]
 
     def matched(self, points):

@@ -139,6 +139,14 @@ class ExportOfPlaneCams(unittest.TestCase):
                 sampled = largest_distance(Sampled(scene, result).curve(0), arcs_of(outline_of(drawing)))
                 self.assert_close_above(found.bounds["profile_mm"], sampled, SAMPLING)
 
+    def test_cusps(self):
+        """Where the outline of an undercut cam turns back, its branches lie within the tolerance of each other."""
+        text = (checker.ROOT / "tests/cases/undercut_lobe.toml").read_text()
+        scene, result, drawing = self.exported("undercut_lobe", text, ["--dxf"])
+        found = self.dxf.verify(drawing, scene, result)
+        self.assertEqual(([], []), (found.faults, found.unverified))
+        self.assertLess(found.bounds["profile_mm"], 1.1e-3)
+
     def test_programs(self):
         for name, (scene, result, _, program) in self.cases.items():
             with self.subTest(name):
