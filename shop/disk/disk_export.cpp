@@ -171,9 +171,7 @@ NcWork plate_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
 }  // namespace
 
 NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
-    check_closed(shape);
-    if (shape.has_two_disks())
-        throw InputError("an NC program: found two disks; allowed: one of them (made_pieces)");
+    check_can_be_made(shape);
     require(std::isfinite(options.thickness) && options.thickness > 0.0, "the thickness must be > 0 m",
             options.thickness);
     require(std::isfinite(options.tip_beyond) && options.tip_beyond >= 0.0,

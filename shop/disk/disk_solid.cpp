@@ -40,17 +40,8 @@ double groove_depth_of(const DrawingSpec& drawing) {
 }
 
 void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
-    check_closed(shape);
+    check_can_be_made(shape);
     static_cast<void>(thickness_of(drawing));
-    if (shape.has_two_disks())
-        throw InputError("plane cam: found two disks; allowed: one of them (made_pieces)");
-    const auto undercut = [](const ProfileShape& side) {
-        return !cusp_angles(side).empty() || !(side.at(side.begin()).regularity > 0.0);
-    };
-    if (undercut(shape) || (shape.other && undercut(other_side(shape))))
-        throw InputError(
-            "plane cam: found an undercut one, whose outline intersects itself; allowed: a cam that guides "
-            "its follower everywhere (limits.cam_radius_min = 0)");
     if (drawing.bore && !(drawing.reach() > 0.0 && drawing.reach() < least_radius(shape)))
         throw InputError(
             fmt::format("plane cam: found a bore or keyway that reaches {:.6g} mm from the centre; allowed: "
@@ -295,12 +286,21 @@ std::vector<Vector2d> contour_points(const ProfileShape& shape, int count) {
     return points;
 }
 
-void check_closed(const ProfileShape& shape) {
-    if (shape.closed || shape.is_plate()) return;
-    throw InputError(fmt::format(
-        "plane cam: found an open one{}; allowed: a cam of one revolution (motion.type \"RR\" or a "
-        "program that returns to displacement 0), to be milled or made a solid",
-        shape.open_because.empty() ? "" : " (" + shape.open_because + ")"));
+void check_can_be_made(const ProfileShape& shape) {
+    if (!shape.closed && !shape.is_plate())
+        throw InputError(fmt::format(
+            "plane cam: found an open one{}; allowed: a cam of one revolution (motion.type \"RR\" or a "
+            "program that returns to displacement 0), to be milled or made a solid",
+            shape.open_because.empty() ? "" : " (" + shape.open_because + ")"));
+    if (shape.has_two_disks())
+        throw InputError("plane cam: found two disks; allowed: one of them (made_pieces)");
+    const auto undercut = [](const ProfileShape& side) {
+        return !cusp_angles(side).empty() || !(side.at(side.begin()).regularity > 0.0);
+    };
+    if (undercut(shape) || (shape.other && undercut(other_side(shape))))
+        throw InputError(
+            "plane cam: found an undercut one, whose outline intersects itself; allowed: a cam that guides "
+            "its follower everywhere (limits.cam_radius_min = 0)");
 }
 
 double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing) {

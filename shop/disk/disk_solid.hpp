@@ -40,7 +40,8 @@ struct DiskMesh {
 /// Of the cam, evenly by cam angle.
 [[nodiscard]] std::vector<Eigen::Vector2d> contour_points(const ProfileShape& shape, int count);
 
-/// Throws InputError for a cam that is open: why, and what would close it.
-void check_closed(const ProfileShape& shape);
+/// What can be milled or be a solid: throws InputError for a cam that is open (why, and what would close it),
+/// for two disks at once, and where it is undercut.
+void check_can_be_made(const ProfileShape& shape);
 
 }  // namespace camopt

@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "report/surface/mesh_cut.hpp"
+#include "shop/disk/disk_export.hpp"
 #include "tests/report/surface/mesh_edges.hpp"
 #include "tests/shop/disk/harmonic_disk.hpp"
 #include "tests/support/refusal.hpp"
@@ -119,6 +120,7 @@ TEST(DiskSolid, RefusesWhatIsNoSolid) {
                                           lift * n * n * std::cos(n * theta)});
     };
     EXPECT_TRUE(says(refusal([&] { (void)disk_mesh(undercut, drawn(10.0, false)); }), "undercut"));
+    EXPECT_TRUE(says(refusal([&] { (void)disk_nc_work(undercut, {}); }), "undercut"));
 }
 
 TEST(PlaneRegion, TrianglesCoverOutlineLessHole) {
