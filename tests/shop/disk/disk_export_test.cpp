@@ -97,6 +97,7 @@ TEST(NcGouge, LargeCutterInHollowIsRefused) {
         MechanismPoint point;
         point.contact << radius * out, 0.0;
         point.normal << (radius * out - slope * along).normalized(), 0.0;
+        point.regularity = 1.0;
         return point;
     };
     DiskNcOptions options;

@@ -29,6 +29,7 @@ ProfileShape waves(double wave, bool clockwise = false) {
         const double radius = r + wave * std::cos(6.0 * way), slope = -6.0 * wave * std::sin(6.0 * way);
         const Eigen::Vector2d out(std::cos(way), std::sin(way)), along(-out.y(), out.x());
         MechanismPoint point;
+        point.regularity = 1.0;
         point.contact << radius * out, 0.0;
         point.normal << (radius * out - slope * along).normalized(), 0.0;
         return point;
