@@ -24,8 +24,7 @@ Blank blank_of(const ProfileShape& shape, const DiskNcOptions& options) {
     double greatest = 0.0;
     for (const Eigen::Vector2d& point : contour_points(shape, checked_points))
         greatest = std::max(greatest, point.norm());
-    const Blank blank =
-        chosen_blank({greatest + options.blank.allowance, -options.thickness, 0.0}, options.blank);
+    Blank blank = chosen_blank({greatest + options.blank.allowance, -options.thickness, 0.0}, options.blank);
     if (blank.radius < greatest || blank.lower > -options.thickness || blank.upper < 0.0)
         throw InputError(fmt::format(
             "blank: {} does not hold the cam, which has a greatest radius of {:.3f} mm and lies "
@@ -47,7 +46,7 @@ RollerPath groove_roller(const ProfileShape& shape) {
 /// The disk is turned and faced before.
 Blank grooved_blank(const ProfileShape& shape, const DiskNcOptions& options) {
     const double rim = rim_radius(shape).value();
-    const Blank blank = chosen_blank({rim, -options.thickness, 0.0}, options.blank);
+    Blank blank = chosen_blank({rim, -options.thickness, 0.0}, options.blank);
     if (blank.radius >= rim && blank.lower <= -options.thickness && blank.upper >= 0.0) return blank;
     throw InputError(
         fmt::format("blank: {} does not hold the disk, which has a radius of {:.3f} mm and lies between "
