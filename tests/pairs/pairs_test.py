@@ -42,8 +42,8 @@ def measured_table(result, path):
 
 def confirm(folder, scene):
     """What a controller, a drawing or a program is told is the design, judged in exact arithmetic by a script that knows no camopt."""
-    for file in read_back.claimed(folder):
-        judged = subprocess.run([sys.executable, ROOT / "scripts" / "verify-export", file, scene], capture_output=True, text=True, timeout=60,
+    if any(folder.glob("*.check.json")):
+        judged = subprocess.run([sys.executable, ROOT / "scripts" / "verify-export", folder, scene], capture_output=True, text=True, timeout=60,
                                 check=False)
         assert judged.returncode in CONFIRMED, judged.stdout + judged.stderr
 

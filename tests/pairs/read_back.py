@@ -204,13 +204,6 @@ def read_any(path, _):
     assert path.stat().st_size > 0, path.name
 
 
-def claimed(folder):
-    """The files of a folder that a NAME.check.json makes claims of."""
-    for claims in sorted(folder.glob("*.check.json")):
-        for name in filter(None, map(json.loads(claims.read_text(encoding="utf-8")).get, ("file", "text_file"))):
-            yield folder / name
-
-
 READERS = {".csv": read_csv, ".json": read_json, ".html": read_html, ".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf,
            ".step": read_step, ".stl": read_stl, ".nc": read_nc, ".md": read_md, ".st": read_controller, ".scl": read_controller,
            ".txt": read_any, ".toml": read_any}

@@ -127,12 +127,12 @@ class Trial:
                 return "disagreements", str(late)
             if done.returncode != 2:
                 break
-        told = self.result / ("machine.json" if self.is_machine else "result.json")
-        if done.returncode not in (0, 1, 3) or not told.exists():
+        answer = self.result / ("machine.json" if self.is_machine else "result.json")
+        if done.returncode not in (0, 1, 3) or not answer.exists():
             refused = done.returncode == 2 and kind not in DRAWN
             return "refused" if refused else "disagreements", f"camopt ended with {done.returncode}: {done.stderr.strip()}"
-        told = json.loads(told.read_text())
-        self.verdict, self.speed = told["verdict"], told.get("speed_rpm")
+        answer = json.loads(answer.read_text())
+        self.verdict, self.speed = answer["verdict"], answer.get("speed_rpm")
         self.counts[self.verdict if self.verdict in VERDICTS else "other"] += 1
         outcome, why = self.judges.proof(self.result)
         return (None if outcome == "not judged" and self.verdict not in VERDICTS else outcome), why
@@ -169,7 +169,7 @@ class Trial:
         found = [("refuted", "nothing was written")] if not any(out.glob("**/*.*")) else [("read back", "")]
         for folder in (axis.parent for axis in out.glob("*/scene.toml")) if self.is_machine else [out]:
             result = folder if self.is_machine else self.result
-            found += [self.judges.export(file, result / "scene.toml") for file in read_back.claimed(folder)]
+            found += [self.judges.export(file, result / "scene.toml") for file in self.judges.of_exports.claimed(folder)]
             found += [self.read(path, result) for path in sorted(folder.glob("*.*"))]
         return max(found, key=lambda one: OUTCOMES.index(one[0]))
 
