@@ -374,7 +374,7 @@ KnownScene Machine::scene() {
     for (std::size_t k = 0; k < axes_.size(); ++k) {
         scene.axes.push_back({fmt::format("{}.toml", axis_names[k]), axis_text(axes_[k])});
         const std::string& change = axes_[k].posing.draft().change;
-        // These are not moved, whatever else is extreme.
+        // These are not moved, regardless of what else is extreme.
         if (scene.change.empty() || change == "narrow corridors") scene.change = change;
     }
     return scene;

@@ -87,10 +87,10 @@ VectorXd drawn_motion(Draw& draw, const Draft& draft) {
 
 }  // namespace
 
-const Run& Posing::run_of(int piece) const {
-    for (const Run& run : draft_.runs)
-        if (piece < run.first + run.pieces) return run;
-    return draft_.runs.back();
+std::size_t Posing::run_of(int piece) const {
+    const auto holds = [piece](const Run& run) { return piece < run.first + run.pieces; };
+    const auto found = std::ranges::find_if(draft_.runs, holds);
+    return std::min(static_cast<std::size_t>(found - draft_.runs.begin()), draft_.runs.size() - 1);
 }
 
 std::vector<Extreme> Posing::extremes_of(const Quantity& quantity) const {
@@ -130,7 +130,7 @@ void Posing::add_terms() {
         for (const Extreme& one : found) {
             const double value = one.value;
             if (std::abs(value) < peak * (1.0 - same_peak)) continue;
-            const auto run = static_cast<std::size_t>(&run_of(one.piece) - draft_.runs.data());
+            const auto run = run_of(one.piece);
             ActiveRow row;
             row.of = ActiveRow::Of::term;
             row.owner = t;
@@ -217,7 +217,7 @@ void Posing::add_limits() {
             const bool low = (limit.side == Side::below && value <= edge + slack) ||
                              (limit.side == Side::both && -value >= edge - slack);
             if (!high && !low) continue;
-            const auto run = static_cast<std::size_t>(&run_of(one.piece) - draft_.runs.data());
+            const auto run = run_of(one.piece);
             ActiveRow row;
             row.of = ActiveRow::Of::limit;
             row.owner = l;
@@ -235,7 +235,7 @@ void Posing::add_limits() {
 
 std::optional<Posing::Corridor> Posing::corridor_at(const Extreme& at, int order, bool above) {
     const PiecewiseSpace& space = draft_.space;
-    const Run& run = run_of(at.piece);
+    const Run& run = draft_.runs[run_of(at.piece)];
     const double sign = above ? 1.0 : -1.0;
     Corridor corridor;
     corridor.order = order;
@@ -325,7 +325,7 @@ void Posing::add_points() {
     for (int k = 0; k < count; ++k) {
         const int piece = draw_.whole(0, space.pieces() - 1);
         Point point;
-        point.run = static_cast<std::size_t>(&run_of(piece) - draft_.runs.data());
+        point.run = run_of(piece);
         point.x = space.begin(piece) + space.width(piece) * draw_.between(0.05, 0.95);
         const bool straight = std::ranges::any_of(draft_.regions, [&](const Region& region) {
             return point.x > region.from && point.x < region.to;
@@ -445,7 +445,7 @@ void Posing::choose() {
         closest_ = std::min(closest_, points_[k].twin_distance);
     }
     if (closest_ < 1.0 && !narrow_) draft_.change = "set points close together";
-    // Bounds without a multiplier: some stay, farther off.
+    // Bounds without a multiplier: some stay, further off.
     for (std::size_t l = 0; l < draft_.limits.size(); ++l)
         if (multiplier_sum(ActiveRow::Of::limit, l) == 0.0 && draw_.chance(0.4))
             loosened_[l] = draw_.between(0.02, 0.5);

@@ -64,7 +64,7 @@ class Posing {
     };
 
     [[nodiscard]] std::vector<Extreme> extremes_of(const Quantity& quantity) const;
-    [[nodiscard]] const Run& run_of(int piece) const;
+    [[nodiscard]] std::size_t run_of(int piece) const;  // its place in the draft
     void add(ActiveRow row) { rows_.push_back(std::move(row)); }
     void add_terms();
     void add_area();
