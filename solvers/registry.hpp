@@ -47,6 +47,9 @@ void add_solver(SolverEntry entry, const SolverMaker& make);
 /// for one that is not available.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(std::string_view name);
 
+/// Who goes on where the structured solver fails: Ipopt where this build has it, else no one ("").
+[[nodiscard]] std::string solver_after_structured();
+
 /// Throws InputError for a native option that the backend does not have or whose value it rejects.
 void check_native_options(std::string_view solver, const std::map<std::string, OptionValue>& options);
 

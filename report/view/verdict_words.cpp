@@ -148,7 +148,7 @@ std::string verdict_sentence(const Solution& solution) {
 std::string verdict_sentence(const Certificate& certificate) {
     switch (certificate.verdict) {
         case Verdict::optimal:
-            if (certificate.proof && certificate.proof->limits_relaxed_by > 0.0)
+            if (is_relaxed(certificate))
                 return fmt::format(
                     "Proved optimal, with limits that lie within rounding of infeasible: no curve of this "
                     "spline "

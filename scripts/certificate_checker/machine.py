@@ -18,7 +18,7 @@ from .enclosures import ends_of
 from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, require_every_row, shifted, value_at
 from .known import name_unknown_of_machine, name_what_is_unknown
 from .laws import constant, parts_along, polynomial_of
-from .motion import Curve
+from .motion import Curve, close_points_named
 from .origins import Origin, read_certificate
 from .prescribed import state_at
 from .problem import Problem
@@ -325,7 +325,8 @@ def judge_machine(folder, report, outcome_of):
             raise Refuted(f"{axis.name}: its result is of another scene")
         if abs(own["motion"]["speed_rpm"] / number(result["speed_rpm"]) - 1) > STATED:
             raise Refuted(f"{axis.name}: its result is of another speed")
-        curves[axis.name] = Curve(axis.problem, result_of(folder, {"name": axis.name}))
+        with close_points_named(axis.problem):
+            curves[axis.name] = Curve(axis.problem, result_of(folder, {"name": axis.name}))
     for clearance in clearances:
         clearance.check(curves)
     if clearances:

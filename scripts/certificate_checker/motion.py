@@ -6,6 +6,8 @@ numbers is at most `distance` (y to y'''), relative to the peaks within STATED o
 strokes are satisfied at every x, to within KEPT.
 """
 
+import contextlib
+
 from .conditions import IMPLIED, Conditions
 from .exact import (
     JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral, largest,
@@ -16,6 +18,17 @@ from .prescribed import peak_of
 from .rational import Fraction
 from .spaces import Space, cam_of, output_of
 from .strokes import stroke_of
+
+
+@contextlib.contextmanager
+def close_points_named(problem):
+    """What a motion through points that are very close together departs from is not refuted."""
+    try:
+        yield
+    except Refuted as fault:
+        if problem.has_close_points():
+            raise Unverified(f"set points so close together that rounding is much of the slope between them: {fault}") from fault
+        raise
 
 
 class Curve:

@@ -23,7 +23,7 @@ from .known import name_what_is_unknown
 from .least import judge_least, without_keys
 from .machine import judge_machine
 from .measured import KINDS as DEVIATIONS
-from .motion import Curve
+from .motion import Curve, close_points_named
 from .origins import read_certificate
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
 from .problem import Problem
@@ -275,12 +275,8 @@ def check_terms(problem, curve, result):
 def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     verdict, proof = certificate["verdict"], certificate["proof"]
     missing = []
-    try:
+    with close_points_named(problem):
         curve, high = judge_objective(problem, certificate, result, report)
-    except Refuted as fault:
-        if problem.has_close_points():
-            raise Unverified(f"set points so close together that rounding is much of the slope between them: {fault}") from fault
-        raise
     kept = curve.keep_caps(relaxed)
     if problem.cam:
         more, missing = problem.cam.keep_limits(curve)

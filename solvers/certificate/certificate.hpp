@@ -163,6 +163,15 @@ struct Certificate {
     std::vector<std::string> verified, unverified;
 };
 
+/// An optimum is proved, or that there is no feasible point.
+[[nodiscard]] inline bool is_proved(const Certificate& certificate) {
+    return certificate.verdict == Verdict::optimal || certificate.verdict == Verdict::infeasible;
+}
+/// Whether its proof is one for relaxed limits: only their tolerance gives the problem room.
+[[nodiscard]] inline bool is_relaxed(const Certificate& certificate) {
+    return certificate.proof && certificate.proof->limits_relaxed_by > 0.0;
+}
+
 // Lower bounds from multipliers, and multipliers for backends that have none.
 
 /// Builds the proof from the problem's own derivatives at x (convex problems) and the given row multipliers;

@@ -90,13 +90,21 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
 constexpr std::array closer_parts = {1e-2, 1e-4};
 constexpr double nearly_closed = 1e-4;
 
-/// The better of both, each moved inside the limits.
-Candidate repaired(const ContinuousProblem& problem, const ExchangeResult& found, const Candidate& inside,
-                   double tolerance) {
-    Candidate best = pulled_inside(problem, found.best, inside);
-    Candidate latest = pulled_inside(problem, found.latest, inside);
-    return is_better(latest, best, tolerance) ? latest : best;
-}
+/// The best points so far, moved inside the limits and as they were found.
+struct Points {
+    Candidate inside;  ///< towards which they are moved
+    double tolerance = 0.0;
+    Candidate found = {};
+
+    /// The better one of a search, moved inside.
+    Candidate repaired(const ContinuousProblem& problem, const ExchangeResult& search) {
+        for (const Candidate* one : {&search.best, &search.latest})
+            if (one->x.size() > 0 && (found.x.size() == 0 || is_better(*one, found, tolerance))) found = *one;
+        Candidate best = pulled_inside(problem, search.best, inside);
+        Candidate latest = pulled_inside(problem, search.latest, inside);
+        return is_better(latest, best, tolerance) ? latest : best;
+    }
+};
 
 void deliver(ContinuousResult& result, const Candidate& point) {
     result.x = point.x;
@@ -108,7 +116,8 @@ void deliver(ContinuousResult& result, const Candidate& point) {
 
 /// Closes a gap that the repair has left.
 void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
-                 const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
+                 const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control,
+                 Points& points) {
     const double widest = solver.name() == "structured" ? infinity : nearly_closed;
     for (const double part : closer_parts) {
         const Certificate& certificate = result.certificate;
@@ -122,7 +131,7 @@ void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Sol
         result.exchange.rounds += found.rounds;
         result.exchange.iterations += found.iterations;
         result.exchange.seconds_solver += found.seconds_solver;
-        const Candidate better = repaired(problem, found, result.inside, judge.tolerance);
+        const Candidate better = points.repaired(problem, found);
         if (better.x.size() > 0 && is_better(better, now, judge.tolerance)) deliver(result, better);
         if (found.last.row_multipliers)
             try_proof(result, problem, *found.last.row_multipliers, found.last.x, std::string(solver.name()));
@@ -235,6 +244,19 @@ Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point
 
 namespace {
 
+/// Limits with little room: where the repair costs more than the gap, the point as it was found, within the
+/// tolerance of its limits, is the optimum.
+void use_tolerance(ContinuousResult& result, ContinuousProblem& problem, const Candidate& found,
+                   const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
+    const Certificate& certificate = result.certificate;
+    if (!certificate.gap || is_closed(certificate, judge) || !(found.violation <= judge.tolerance)) return;
+    if (!(found.objective < certificate.objective)) return;
+    ContinuousResult tried = result;
+    deliver(tried, found);
+    settle_passed_bound(tried, problem, exchange, judge, control);
+    if (is_closed(tried.certificate, judge)) result = std::move(tried);
+}
+
 /// From the first point by exchange; repaired, proved and judged.
 ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, const FirstPoint& first,
                           const ExchangeOptions& exchange, const JudgeOptions& judge,
@@ -244,7 +266,8 @@ ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, cons
     result.inside = first.inside;
     result.exchange = minimize_by_exchange(problem, solver, first.inside, exchange, control);
     if (first.searched && result.exchange.best.x.size() == 0) result.exchange.best = first.inside;
-    const Candidate best = repaired(problem, result.exchange, first.inside, judge.tolerance);
+    Points points{first.inside, judge.tolerance};
+    const Candidate best = points.repaired(problem, result.exchange);
     deliver(result, best);
     result.seconds.solver = result.exchange.seconds_solver;
     result.seconds.judgement = watch.seconds() - result.seconds.solver;
@@ -252,8 +275,9 @@ ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, cons
     if (best.x.size() > 0 && best.violation <= judge.tolerance) {
         prove(result, problem, solver, exchange, judge, control);
         sharpen_proof(result, judge);
-        come_closer(result, problem, solver, exchange, judge, control);
+        come_closer(result, problem, solver, exchange, judge, control, points);
         sharpen_proof(result, judge);
+        use_tolerance(result, problem, points.found, exchange, judge, control);
         const bool had_bound = result.certificate.lower_bound.has_value();
         settle_passed_bound(result, problem, exchange, judge, control);
         no_room = had_bound && !result.certificate.lower_bound;

@@ -77,6 +77,12 @@ void add_solver(SolverEntry entry, const SolverMaker& make) {
     });
 }
 
+std::string solver_after_structured() {
+    const bool available = std::ranges::any_of(
+        solver_entries(), [](const SolverEntry& entry) { return entry.name == "ipopt" && entry.available; });
+    return available ? "ipopt" : "";
+}
+
 std::unique_ptr<Solver> make_solver(std::string_view name) {
     const Solvers::Lists& known = solvers().lists();
     return known.makers[index_of(known.descriptions, name)]();

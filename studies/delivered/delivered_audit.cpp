@@ -197,7 +197,7 @@ std::string active_limits(const Solution& solution) {
 /// Says what a proof with relaxed limits is a proof of, and why there is none where there is none.
 void tell_of_rounding(Solution& solution) {
     const Certificate& certificate = solution.certificate;
-    const bool relaxed = certificate.proof && certificate.proof->limits_relaxed_by > 0.0;
+    const bool relaxed = is_relaxed(certificate);
     if (!relaxed && certificate.reason != Reason::limits_within_rounding) return;
     std::string note =
         fmt::format("{}: infeasible to within rounding. Only the tolerance makes it feasible, and ",

@@ -7,6 +7,7 @@
 #include "studies/least/feasible_edge.hpp"
 #include "studies/least/monotone.hpp"
 #include "studies/machine/machine_build.hpp"
+#include "studies/search/convex_solve.hpp"
 #include "studies/search/presolve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
@@ -21,13 +22,6 @@ constexpr double trial_tolerance = 1e-6;
 constexpr int few_trials = 4;
 constexpr double other_part = 0.02;  // of the whole time: another backend, for a speed that is not decided
 constexpr double usual_slope = 2.0;  // of the steepness by log ω: of a limit on acceleration
-
-/// Null: this build has none.
-std::unique_ptr<Solver> other_backend() {
-    const auto entries = solver_entries();
-    const auto ipopt = std::ranges::find(entries, "ipopt", &SolverEntry::name);
-    return ipopt != entries.end() && ipopt->available ? make_solver(ipopt->name) : nullptr;
-}
 
 /// The outcome at one speed.
 struct Trial {
@@ -118,8 +112,9 @@ class MachineSearch {
         exchange.decides_only = decides_only_;
         constexpr int attempts = 3;  // the second to a tighter tolerance, the third by another backend
         for (int attempt = 0; attempt < attempts; ++attempt) {
-            const std::unique_ptr<Solver> other = attempt == attempts - 1 ? other_backend() : nullptr;
-            if (attempt == attempts - 1 && !other) break;
+            const std::string name = attempt == attempts - 1 ? solver_after_structured() : "structured";
+            if (name.empty()) break;
+            const std::unique_ptr<Solver> other = name == "structured" ? nullptr : make_solver(name);
             if (other) exchange.backend.max_seconds = other_part * options_.max_seconds;
             Feasibility found = find_feasible(*posed.problem, exchange, control_, other.get());
             if (found.point.x.size() > 0 && found.point.violation < trial.violation) {
@@ -159,8 +154,9 @@ class MachineSearch {
     /// No motions at the least speed: a contradiction of limits, or, at any speed, of the clearances.
     void report_infeasible(const Trial& least) {
         result_.speed = least.speed;
-        const MachineMemory known =
-            std::exchange(memory_, MachineMemory{{}, memory_.clearances, memory_.held, {}});
+        const MachineMemory known = memory_;
+        memory_.axes.clear();
+        memory_.x = {};
         Trial slow = trial_of(0.0, scenes_at_standstill(machine()));
         // Motions that leave their strokes do not count: these are held, and tried again.
         if (slow.feasible() &&
@@ -339,13 +335,30 @@ class MachineSearch {
     }
 
     /// The least total objective at a speed, from memory_.x. False: axes left their strokes, and are held
-    /// from now on.
+    /// from now on. What is left without a proof at a given speed is tried again as a single motion would be,
+    /// with its design vector: more variables, but numbers of one size.
     bool deliver_at(double speed) {
+        const MachineSolution before = result_;
+        if (!deliver(speed, false)) return false;
+        if (machine().searches_speed() || is_proved(result_.certificate) || control_.ending()) return true;
+        MachineSolution first = std::exchange(result_, before);
+        MachineMemory memory = memory_;
+        memory_.design = DesignKind::states;
+        memory_.x = {};
+        memory_.axes.clear();
+        deliver(speed, true);
+        if (is_better(result_.certificate, first.certificate, wanted_gap())) return true;
+        result_ = std::move(first);
+        memory_ = std::move(memory);
+        return true;
+    }
+
+    bool deliver(double speed, bool persistent) {
         ExchangeOptions exchange = machine_exchange(machine(), options_.max_seconds);
         for (;;) {
             PosedMachine posed = posed_machine(machine(), scenes_at(machine(), speed), memory_);
             JudgeOptions judge{exchange.tolerance, wanted_gap()};
-            ContinuousResult found = least_total(*posed.problem, exchange, judge, control_);
+            ContinuousResult found = least_total(*posed.problem, exchange, judge, control_, persistent);
             memory_.keep(*posed.problem);
             result_.speed = speed;
             result_.certificate = std::move(found.certificate);
@@ -382,11 +395,9 @@ class MachineSearch {
         for (int b = 0; b < posed.problem->axes(); ++b) {
             result_.axes.push_back(delivered_axis(posed, b, x));
             if (result_.axes.back().certificate.verdict == Verdict::failed)
-                result_.notes.push_back(fmt::format("{}: the delivered motion failed its audit: {}",
+                result_.notes.push_back(fmt::format("{}: {}",
                                                     machine().axes[static_cast<std::size_t>(b)].name,
-                                                    result_.axes.back().certificate.reason == Reason::none
-                                                        ? ""
-                                                        : name_of(result_.axes.back().certificate.reason)));
+                                                    result_.axes.back().notes.back()));
         }
         const bool failed = std::ranges::any_of(
             result_.axes, [](const Solution& axis) { return axis.certificate.verdict == Verdict::failed; });

@@ -2,20 +2,18 @@
 #include "studies/machine/machine_build.hpp"
 
 #include "scene/part_names.hpp"
+#include "solvers/registry.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
+#include "studies/search/convex_solve.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt {
 
 namespace {
-
-// Of axes that do not name theirs: few variables and no equalities, so that the factor of a machine, which
-// is no chain, needs no shift. Measured with 12 axes of 32 segments and 20 clearances.
-constexpr DesignKind machine_design = DesignKind::coefficients;
 
 constexpr double finer_part = 1e-2;  // of the tolerance, where a first solve left the gap open
 
@@ -91,7 +89,7 @@ PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>&
     blocks.reserve(scenes.size());
     for (std::size_t b = 0; b < scenes.size(); ++b) {
         Scene given = scenes[b];
-        if (given.spline.design == DesignKind::automatic) given.spline.design = machine_design;
+        if (given.spline.design == DesignKind::automatic) given.spline.design = memory.design;
         made.scenes.push_back(std::make_unique<const Scene>(std::move(given)));
         const Scene& scene = *made.scenes.back();
         made.posed.push_back(std::make_unique<PosedScene>(scene, HeldStrokes{memory.held[b], {}}));
@@ -152,6 +150,7 @@ Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd&
         refuse(b, machine.left_out[b].front(),
                "a limit that is not convex, and that the best motions without it do not satisfy",
                "in a machine at a given speed limits that are convex, or satisfied by these motions");
+    if (certificate.verdict == Verdict::failed) return solution;
     if (!machine.left_out[b].empty())
         solution.notes.emplace_back(
             "the limits that are not convex are inactive: the motions that are best without them satisfy "
@@ -165,14 +164,19 @@ Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd&
 }
 
 ContinuousResult least_total(MachineProblem& problem, const ExchangeOptions& exchange,
-                             const JudgeOptions& judge, const SolveControl& control) {
-    ContinuousResult found = solve_continuous(problem, *make_structured_solver(), exchange, judge, control);
+                             const JudgeOptions& judge, const SolveControl& control, bool persistent) {
+    const std::unique_ptr<Solver> structured = make_structured_solver();
+    NextSolver next;
+    if (persistent)
+        return solve_convex({problem, *structured, solver_after_structured(), judge, control}, exchange,
+                            next);
+    ContinuousResult found = solve_continuous(problem, *structured, exchange, judge, control);
     if (found.x.size() == 0 || found.certificate.verdict == Verdict::optimal || control.ending())
         return found;
     // Near the largest speed a violation within the tolerance costs more than the gap.
     ExchangeOptions finer = exchange;
     finer.tolerance = finer.backend.tolerance = finer_part * exchange.tolerance;
-    ContinuousResult again = solve_continuous(problem, *make_structured_solver(), finer, judge, control);
+    ContinuousResult again = solve_continuous(problem, *structured, finer, judge, control);
     return again.certificate.verdict < found.certificate.verdict ? again : found;
 }
 

@@ -20,10 +20,13 @@ struct PosedMachine {
 
 /// What one speed leaves for the next: rows, motions, and which axes are held within their strokes.
 struct MachineMemory {
+    /// Of axes that do not name theirs: few variables and no equalities, so that the factor of a machine,
+    /// which is no chain, needs no shift. Measured with 12 axes of 32 segments and 20 clearances.
+    DesignKind design = DesignKind::coefficients;
     std::vector<std::vector<RuleSample>> axes;
     std::vector<std::vector<double>> clearances;
     std::vector<bool> held;
-    Eigen::VectorXd x;
+    Eigen::VectorXd x;  ///< by `design`
     void keep(const MachineProblem& problem);
 };
 
@@ -42,9 +45,11 @@ void ask_what_is_needed(const MachineSpec& machine, const std::vector<Scene>& sc
                         const MachineMemory& memory, std::vector<MachineLimit>& limits,
                         const ExchangeOptions& exchange, const SolveControl& control);
 
-/// The least total objective, from the start of the problem.
+/// The least total objective, from the start of the problem. `persistent`: what is left without a proof is
+/// tried in every way that a single motion is (studies/search/convex_solve.hpp).
 [[nodiscard]] ContinuousResult least_total(MachineProblem& problem, const ExchangeOptions& exchange,
-                                           const JudgeOptions& judge, const SolveControl& control);
+                                           const JudgeOptions& judge, const SolveControl& control,
+                                           bool persistent);
 
 /// True: an axis that was not held leaves the range of a stroke at x; it is held from now on.
 [[nodiscard]] bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMemory& memory);

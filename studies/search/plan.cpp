@@ -17,12 +17,6 @@ namespace {
 // Searches that found nothing within the limits end after this part of the time: the rest is for explaining
 // it.
 constexpr double searched_in_vain = 0.6;
-/// Who goes on where the structured solver fails: Ipopt where this build has it, else no one.
-std::string solver_after_structured() {
-    const bool available = std::ranges::any_of(
-        solver_entries(), [](const SolverEntry& entry) { return entry.name == "ipopt" && entry.available; });
-    return available ? "ipopt" : "";
-}
 
 bool is_general(const PlacedRule& rule, double least, double most) {
     return rule->curvature(least, most) == Curvature::general;

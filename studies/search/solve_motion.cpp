@@ -6,6 +6,7 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
+#include "studies/search/convex_solve.hpp"
 #include "studies/search/presolve.hpp"
 #include "studies/search/start_search.hpp"
 #include "studies/search/tie_break.hpp"
@@ -15,103 +16,6 @@
 namespace camopt {
 
 namespace {
-
-// A proof that comes at all comes within these; where doubles end, more of either only take time.
-constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
-// Of a small gap: what closes it at all does so at once, else the next backend may.
-constexpr double nearly_proved = 1e-4, share_where_nearly_proved = 0.05;
-// Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
-constexpr double fine_shift = 1e-11;
-constexpr long long long_patience = 60;
-
-bool is_proved(const ContinuousResult& result) {
-    return result.certificate.verdict == Verdict::optimal ||
-           result.certificate.verdict == Verdict::infeasible;
-}
-
-/// Whether a proof is one for relaxed limits: only their tolerance gives the problem room.
-bool is_relaxed(const Certificate& certificate) {
-    return certificate.proof && certificate.proof->limits_relaxed_by > 0.0;
-}
-
-/// Keeps the better of two results: what proves more, of what does not the motion of the least objective with
-/// the largest bound of either. Whether it is the motion of `other`.
-bool keep_better(ContinuousResult& result, ContinuousResult other, const JudgeOptions& judge) {
-    result.seconds += other.seconds;
-    other.seconds = result.seconds;  // of both attempts, whichever is kept
-    if (is_proved(result)) return false;
-    const auto is_first = [&](const ContinuousResult& one, const ContinuousResult& two) {
-        if (is_proved(one) || one.x.size() == 0 || two.x.size() == 0)
-            return is_proved(one) || (one.x.size() > 0 && two.x.size() == 0);
-        const double less = two.certificate.objective - one.certificate.objective;
-        const bool equal = std::abs(less) <= judge.gap * std::max(1.0, std::abs(one.certificate.objective));
-        return equal ? one.certificate.verdict < two.certificate.verdict : less > 0.0;
-    };
-    const bool takes = is_first(other, result);
-    if (takes) std::swap(result, other);
-    Certificate& kept = result.certificate;
-    Certificate& left = other.certificate;  // its bound is one for all motions that are no worse than its own
-    if (is_proved(result) || result.x.size() == 0 || !left.proof || is_relaxed(left) ||
-        left.lower_bound <= kept.lower_bound ||
-        bound_passes(kept.objective, *left.lower_bound, judge.tolerance) ||
-        !(kept.objective <= left.objective))
-        return takes;
-    kept.lower_bound = left.lower_bound;
-    kept.gap = relative_gap(kept.objective, *left.lower_bound);
-    kept.proof = std::move(left.proof);
-    kept.proof_kind = left.proof_kind;
-    result.proof_source = std::move(other.proof_source);
-    settle_verdict(kept, result.exchange.termination, judge);
-    return takes;
-}
-
-/// Solves again with other options.
-void try_again(const PlannedRun& run, const Solver& solver, const ExchangeOptions& exchange,
-               const JudgeOptions& judge, CamProblem& problem, ContinuousResult& result) {
-    if (is_proved(result) || run.control.ending()) return;
-    keep_better(result, solve_continuous(problem, solver, exchange, judge, run.control), judge);
-}
-
-/// Problems whose numbers are hard: another backend tries from the same grid. Where only the tolerance gives
-/// room none finds more.
-void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProblem& problem,
-                     ContinuousResult& result, Solution& solution) {
-    if (run.plan.next_solver.empty() || is_proved(result) || is_relaxed(result.certificate)) return;
-    if (run.control.ending()) return;
-    ExchangeOptions exchange = exchange_options(solution.scene);
-    exchange.backend.native.clear();  // they belong to the first backend
-    exchange.backend.max_iterations = std::min(exchange.backend.max_iterations, most_iterations_of_next);
-    exchange.most_rounds = std::min(exchange.most_rounds, most_rounds_of_next);
-    ContinuousResult other =
-        solve_continuous(problem, *make_solver(run.plan.next_solver), exchange, judge, run.control);
-    solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried next", run.plan.solver,
-                                         name_of(result.certificate.reason), run.plan.next_solver));
-    if (keep_better(result, std::move(other), judge)) solution.solver.name = run.plan.next_solver;
-}
-
-/// With finer and more patient steps, then with exact ones, from the same grid. Each ends at the first
-/// failure, and where another backend follows all together take a share of the time.
-void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exchange,
-                const JudgeOptions& judge, CamProblem& problem, ContinuousResult& result) {
-    double share = 1.0;
-    if (!run.plan.next_solver.empty())
-        share = result.certificate.gap.value_or(infinity) <= nearly_proved ? share_where_nearly_proved
-                                                                           : share_of_first;
-    const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
-    const PlannedRun part{run.posed, run.plan, timed, run.known};
-    exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
-    const auto proves = [&](const ExchangeOptions& options) {
-        try_again(part, solver, options, judge, problem, result);
-        return is_proved(result);
-    };
-    ExchangeOptions fine = exchange, exact = exchange;
-    fine.backend.native.emplace("regularisation", fine_shift);
-    fine.backend.native.emplace("patience", long_patience);
-    exact.backend.exact_steps = ExactSteps::always;
-    if (proves(fine) || proves(exact)) return;
-    fine.enough = nullptr;  // rows of a later round may make a problem well posed that was not
-    proves(fine);
-}
 
 /// The smoothest optimum of a relaxation that satisfies the rules of the whole is that of the whole, and the
 /// rows of the relaxation are convex; else it is searched with all rules.
@@ -130,26 +34,19 @@ void break_tie_of_relaxation(const PlannedRun& run, CamProblem& relaxation, CamP
     break_tie(run, whole, result);
 }
 
-ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamProblem& problem,
-                              Solution& solution) {
+ContinuousResult solve_convex_motion(const PlannedRun& run, const Solver& solver, CamProblem& problem,
+                                     Solution& solution) {
     const JudgeOptions judge{solution.scene.solver.tolerance, solution.scene.solver.wanted_gap()};
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.staged = run.known.is_cold();
-    const bool structured = run.plan.solver == "structured";
-    if (structured) {
-        if (run.plan.next_solver.empty()) exchange.backend.exact_steps = ExactSteps::after_failure;
-        // A round that fails is followed by others that fail: other steps are tried at once.
-        exchange.enough = [](const ExchangeResult& found) {
-            return found.last.termination == Termination::numerical_failure;
-        };
-    }
-    ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
-    if (result.certificate.reason == Reason::unbounded) {
-        forget_proof(result.certificate);  // of motions up to the farthest that proofs cover
-        return result;
-    }
-    if (structured && !is_proved(result)) try_harder(run, solver, exchange, judge, problem, result);
-    try_next_solver(run, judge, problem, result, solution);
+    NextSolver next;
+    ContinuousResult result =
+        solve_convex({problem, solver, run.plan.next_solver, judge, run.control}, std::move(exchange), next);
+    if (result.certificate.reason == Reason::unbounded) return result;
+    if (next.reason)
+        solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried next",
+                                             run.plan.solver, name_of(*next.reason), run.plan.next_solver));
+    if (next.found) solution.solver.name = run.plan.next_solver;
     run.known.keep(problem);
     const Stopwatch watch;
     break_tie(run, problem, result);
@@ -240,7 +137,7 @@ Solution solve_motion(const PlannedRun& run) {
     } else if (!report_rest_conflict(solution, problem.model())) {
         const Stopwatch solve_watch;
         ContinuousResult result = run.plan.relaxations.empty()
-                                      ? solve_convex(run, solver, problem, solution)
+                                      ? solve_convex_motion(run, solver, problem, solution)
                                       : solve_general(run, solver, problem, solution);
         solution.seconds_solve = solve_watch.seconds();
         solution.evaluations = solver.counts();

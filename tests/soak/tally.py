@@ -5,7 +5,7 @@
 Adds to docs/trials.md, by commit: trials of camopt_soak (--soak), and random scenes of every class (checked_scenes.py) that camopt
 solves and the exact checker judges (--camopt). --exports: each of them is also exported in every format, and what is written is
 judged. The next part goes on with the numbers after those that are counted; the page is written after every round, so a part that is
-interrupted loses the last round at most. Exit status 1 where something failed or was refuted, 130 where it was interrupted.
+interrupted loses the last round at most, and several parts of other classes may run at a time. Exit status 1 where something failed or was refuted, 130 where it was interrupted.
 """
 import argparse
 import re
@@ -35,12 +35,12 @@ class Trials(Page):
         return self.scenes.rows.get((commit, kind), {"scenes": 0})["scenes"]
 
     def add(self, commit, kind, counts, exports=None, reasons=()):
-        self.scenes.add((commit, kind), counts)
-        for name, outcome in (exports or {}).items():
-            self.exports.add((commit, name), {"exports": 1, outcome: 1})
-        for reason in reasons:
-            self.reasons.add(reason, {"times": 1})
-        self.save()
+        with self.added_to():
+            self.scenes.add((commit, kind), counts)
+            for name, outcome in (exports or {}).items():
+                self.exports.add((commit, name), {"exports": 1, outcome: 1})
+            for reason in reasons:
+                self.reasons.add(reason, {"times": 1})
 
 
 def counts_of(report):

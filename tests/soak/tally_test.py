@@ -87,8 +87,11 @@ class CountedTrials(unittest.TestCase):
             page = tally.Trials(file)
             page.add("abc", "cam", collections.Counter(scenes=1, optimal=1, refuted=1), {"STL": "refuted", "NC": "confirmed"},
                      [("STL", "refuted", "cam.stl is broken")])
+        page.add("abc", "valve", collections.Counter(scenes=1))
+        tally.Trials(file).add("abc", "machine", collections.Counter(scenes=1))
+        page.add("abc", "valve", collections.Counter(scenes=1))
         page = tally.Trials(file)
-        self.assertEqual(2, page.next("abc", "cam"))
+        self.assertEqual([2, 2, 1], [page.next("abc", kind) for kind in ("cam", "valve", "machine")])
         self.assertEqual(0, page.next("abd", "cam"))
         self.assertEqual({"exports": 2, "refuted": 2}, page.exports.rows["abc", "STL"])
         self.assertEqual({"times": 2}, page.reasons.rows["STL", "refuted", "cam.stl is broken"])

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Tables of counts between marks of a page, which later runs add to."""
+"""Tables of counts between marks of a page, which later runs add to, several at a time."""
 import collections
+import contextlib
+import fcntl
+import os
 import re
 
 
@@ -44,17 +47,29 @@ class Table:
 class Page:
     def __init__(self, file, tables):
         self.file, self.tables = file, tables
-        for table in tables:
-            table.read(file.read_text())
+        self.read()
 
-    def save(self):
-        """The file is whole at any time."""
-        text = self.file.read_text()
+    def read(self):
         for table in self.tables:
-            text = table.written(text)
-        new = self.file.with_suffix(".new")
-        new.write_text(text)
-        new.replace(self.file)
+            table.rows.clear()
+            table.read(self.file.read_text())
+
+    @contextlib.contextmanager
+    def added_to(self):
+        """Its rows as they are now, whoever added to them; saved at the end. The file is whole at any time."""
+        folder = os.open(self.file.parent, os.O_RDONLY)
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        try:
+            self.read()
+            yield
+            text = self.file.read_text()
+            for table in self.tables:
+                text = table.written(text)
+            new = self.file.with_suffix(".new")
+            new.write_text(text)
+            new.replace(self.file)
+        finally:
+            os.close(folder)
 
 
 def reason_cell(text):

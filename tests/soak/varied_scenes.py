@@ -27,7 +27,7 @@ SPREADS = {"motion": 0.1, "cam": 0.04, "linkage": 0.004, "forces": 0.2, "drive":
            "tolerance": 0.3, "clearance": 0.03}
 WIDTHS = {"cam": 0.1, "linkage": 0.01}  # of the range of a dimension that is searched
 DIMENSIONED = *WIDTHS, "forces", "drive"
-DIMENSIONS, ANGLES, MACHINE = "searched dimensions", "searched angles", "machine"
+DIMENSIONS, ANGLES, MACHINE, SMOOTH = "searched dimensions", "searched angles", "machine", "degree 7"
 
 CHAIN = 'lever_arm_mm = 240\nlever_angle_deg = -10\nlever_branch = "right"\ncoupler_mm = 351.3\n'
 ROCKER = 'rocker_pivot_x_mm = 260\nrocker_pivot_y_mm = 400\nrocker_input_arm_mm = 220\nrocker_branch = "left"\n'
@@ -43,12 +43,14 @@ def is_range(value):
 
 
 def class_of(scene):
-    """By what is searched, else by the cam."""
+    """By what is searched, else by the degree, else by the cam."""
     segments = scene["motion"].get("segments", [])
     if scene.get("spline", {}).get("knots") == "free" or any(is_range(value) for own in segments for value in own.values()):
         return ANGLES
     if any(is_range(value) for name in DIMENSIONED for value in scene.get(name, {}).values()):
         return DIMENSIONS
+    if scene.get("spline", {}).get("degree") == 7:
+        return SMOOTH
     cam = scene.get("cam")
     if cam is None:
         return "motion"

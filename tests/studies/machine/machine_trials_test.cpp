@@ -57,6 +57,31 @@ TEST(MachineTrials, ClearanceThatTouchesIsNoContradiction) {
     expect_largest(solve_machine(machine_case("machine_touching/machine.toml")), 148.24);
 }
 
+TEST(MachineTrials, DesignOfMotionsSettlesTheRest) {
+    struct Case {
+        const char* name;
+        double objective, error;
+    };
+    for (const auto& [name, objective, error] :
+         {Case{"machine_narrow_segments", 1.3102431955795861, 1.4e-8},
+          Case{"machine_close_conditions", 2.1045210078617638, 2.4e-5}}) {
+        const MachineSolution solution = solve_machine(machine_case(fmt::format("{}/machine.toml", name)));
+        EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << name;
+        EXPECT_NEAR(solution.certificate.objective, objective, error) << name;
+        ASSERT_TRUE(solution.certificate.lower_bound) << name;
+        EXPECT_LE(*solution.certificate.lower_bound, objective + error) << name;
+        for (const Solution& axis : solution.axes) EXPECT_EQ(axis.design.kind, DesignKind::states) << name;
+    }
+}
+
+TEST(MachineTrials, ImpossibleByHundredMillionthIsProved) {
+    const MachineSolution solution = solve_machine(machine_case("machine_impossible/machine.toml"));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    ASSERT_TRUE(solution.certificate.proof);
+    EXPECT_GT(recomputed_bound(*solution.certificate.proof), 0.0);
+    EXPECT_FALSE(solution.limited_by.empty());
+}
+
 TEST(MachineTrials, FactorOfZeroLeavesAxisOut) {
     const char* const name = "machine_indexing/55_press.toml";
     const MachineSolution with = solve_machine(machine_case(name));
