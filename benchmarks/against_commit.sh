@@ -20,7 +20,9 @@ prepare() {
     local tree="$old/tree"
     git -C "$root" worktree prune # of a folder that was deleted
     [[ -d $tree ]] || git -C "$root" worktree add --detach "$tree" "$commit"
+    mkdir -p "$tree/benchmarks/parts"
     cp "$root/benchmarks/solve_seconds.cpp" "$tree/benchmarks/"
+    cp "$root/benchmarks/parts/whole_output.hpp" "$tree/benchmarks/parts/"
     grep -q solve_seconds "$tree/benchmarks/CMakeLists.txt" || cat >> "$tree/benchmarks/CMakeLists.txt" <<'END'
 add_executable(solve_seconds solve_seconds.cpp)
 target_include_directories(solve_seconds PRIVATE ${PROJECT_SOURCE_DIR})

@@ -52,9 +52,10 @@ constexpr std::array named_reasons = {
 
 Certificate::Certificate() = default;
 Certificate::Certificate(const Certificate& other) = default;
-Certificate::Certificate(Certificate&& other) noexcept = default;
+Certificate::Certificate(Certificate&& other) = default;  // NOLINT(performance-noexcept-move-constructor)
 Certificate& Certificate::operator=(const Certificate& other) = default;
-Certificate& Certificate::operator=(Certificate&& other) noexcept = default;
+// NOLINTNEXTLINE(performance-noexcept-move-constructor)
+Certificate& Certificate::operator=(Certificate&& other) = default;
 Certificate::~Certificate() = default;
 
 const char* name_of(Verdict value) {

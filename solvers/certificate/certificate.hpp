@@ -141,9 +141,10 @@ struct Certificate {
     // Compiled once, in the source of this header: copies of so many members take a compiler long.
     Certificate();
     Certificate(const Certificate& other);
-    Certificate(Certificate&& other) noexcept;
+    // Not noexcept: sparse matrices of Eigen 3.4 that are moved are copied, for which memory may be missing.
+    Certificate(Certificate&& other);  // NOLINT(performance-noexcept-move-constructor)
     Certificate& operator=(const Certificate& other);
-    Certificate& operator=(Certificate&& other) noexcept;
+    Certificate& operator=(Certificate&& other);  // NOLINT(performance-noexcept-move-constructor)
     ~Certificate();
 
     Verdict verdict = Verdict::failed;

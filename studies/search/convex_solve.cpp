@@ -10,7 +10,7 @@ namespace {
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
-// Of a small gap: what closes it at all does so at once, else the next backend may.
+// Of a small gap: what closes it at all does so at once.
 constexpr double nearly_proved = 1e-4, share_where_nearly_proved = 0.05;
 // Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
 constexpr double fine_shift = 1e-11;
@@ -56,12 +56,10 @@ void try_next_solver(const ConvexRun& run, ExchangeOptions exchange, ContinuousR
 }
 
 /// With finer and more patient steps, then with exact ones, from the same grid. Each ends at the first
-/// failure, and where another backend follows all together take a share of the time.
+/// failure; where little is missing, or another backend follows, all together take a share of the time.
 void try_harder(const ConvexRun& run, ExchangeOptions exchange, ContinuousResult& result) {
-    double share = 1.0;
-    if (!run.next_solver.empty())
-        share = result.certificate.gap.value_or(infinity) <= nearly_proved ? share_where_nearly_proved
-                                                                           : share_of_first;
+    const bool is_near = result.certificate.gap.value_or(infinity) <= nearly_proved;
+    const double share = is_near ? share_where_nearly_proved : run.next_solver.empty() ? 1.0 : share_of_first;
     const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
     exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
     const auto proves = [&](const ExchangeOptions& options) {

@@ -63,11 +63,11 @@ TEST(MachineTrials, DesignOfMotionsSettlesTheRest) {
         double objective, error;
     };
     for (const auto& [name, objective, error] :
-         {Case{"machine_narrow_segments", 1.3102431955795861, 1.4e-8},
+         {Case{"machine_weights_of_zero", 0.74471865477959831, 7.7e-9},
           Case{"machine_close_conditions", 2.1045210078617638, 2.4e-5}}) {
         const MachineSolution solution = solve_machine(machine_case(fmt::format("{}/machine.toml", name)));
         EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << name;
-        EXPECT_NEAR(solution.certificate.objective, objective, error) << name;
+        EXPECT_NEAR(solution.certificate.objective, objective, error + 1e-8 * objective) << name;
         ASSERT_TRUE(solution.certificate.lower_bound) << name;
         EXPECT_LE(*solution.certificate.lower_bound, objective + error) << name;
         for (const Solution& axis : solution.axes) EXPECT_EQ(axis.design.kind, DesignKind::states) << name;
