@@ -347,7 +347,11 @@ class MachineSearch {
         memory_.x = {};
         memory_.axes.clear();
         deliver(speed, true);
-        if (is_better(result_.certificate, first.certificate, wanted_gap())) return true;
+        // Motions that keep every limit but fail their audit are no impossibility.
+        const bool contradicts =
+            result_.certificate.verdict == Verdict::infeasible &&
+            first.certificate.worst_violation <= first.spec.axes.front().scene.solver.tolerance;
+        if (!contradicts && is_better(result_.certificate, first.certificate, wanted_gap())) return true;
         result_ = std::move(first);
         memory_ = std::move(memory);
         return true;
