@@ -5,7 +5,8 @@
 Adds to docs/trials.md, by commit: trials of camopt_soak (--soak), and random scenes of every class (checked_scenes.py) that camopt
 solves and the exact checker judges (--camopt). --exports: each of them is also exported in every format, and what is written is
 judged. The next part goes on with the numbers after those that are counted; the page is written after every round, so a part that is
-interrupted loses the last round at most, and several parts of other classes may run at a time. Exit status 1 where something failed or was refuted, 130 where it was interrupted.
+interrupted loses the last round at most, and several parts of other classes may run at a time. Exit status 1 where something failed or
+was refuted, 130 where it was interrupted.
 """
 import argparse
 import re

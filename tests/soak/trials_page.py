@@ -56,7 +56,7 @@ class Page:
 
     @contextlib.contextmanager
     def added_to(self):
-        """Its rows as they are now, whoever added to them; saved at the end. The file is whole at any time."""
+        """Its rows with what others have added meanwhile; saved at the end. The file is whole at any time."""
         folder = os.open(self.file.parent, os.O_RDONLY)
         fcntl.flock(folder, fcntl.LOCK_EX)
         try:
