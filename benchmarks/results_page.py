@@ -555,17 +555,6 @@ def section_no_cam(page):
                           f"{number(row, 'ratio_lower_quartile'):.2f} to {number(row, 'ratio_upper_quartile'):.2f}",
                           row["profile_points_without"], row["profile_points_with"]] for row in rows]))
         page.say("Processor time of `solve()`; the idle cam is so large that its limit does not bite.", "")
-    rows = page.rows("against_commit.csv")
-    if rows:
-        page.say(*table(["scene", "before cams", "now", "ratio", "quartiles", "same optimum"],
-                        [[row["scene"], seconds(number(row, "seconds_before")), seconds(number(row, "seconds_after")),
-                          f"{number(row, 'ratio_median'):.3f}",
-                          f"{number(row, 'ratio_lower_quartile'):.3f} to {number(row, 'ratio_upper_quartile'):.3f}",
-                          row["same_optimum"]] for row in rows]))
-        slower = [row["scene"] for row in rows if number(row, "ratio_median") > 1.02]
-        page.say("Scenes without a cam against commit 1367d94, the last one that knew no cams, in turns, the same flags: "
-                 + ("no scene is slower by more than 2 %." if not slower else f"slower by more than 2 %: {', '.join(slower)}."),
-                 "")
 
 
 def section_machine(page):

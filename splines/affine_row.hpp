@@ -23,6 +23,7 @@ struct AffineRow {
 struct Equality {
     AffineRow row;  ///< must be 0
     std::string name;
+    double uncertainty = 0.0;  ///< of the value at x of size 1, over the largest weight, by round-off of the row
 };
 
 /// One local polynomial as an affine map of x.

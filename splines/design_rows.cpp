@@ -106,21 +106,25 @@ double length(const AffineRow& row) {
 
 }  // namespace
 
-AffineRow unlike(AffineRow row, const std::vector<AffineRow>& others) {
+Equality unlike(Equality condition, const std::vector<AffineRow>& others) {
+    AffineRow& row = condition.row;
+    double rounding = std::numeric_limits<double>::epsilon();
     // Each step removes one direction.
     for (std::size_t step = 0; step < others.size(); ++step) {
         const auto alike = std::ranges::find_if(others, [&](const AffineRow& other) {
             return std::abs(inner_product(row, other)) > nearly_parallel * length(row) * length(other);
         });
-        if (alike == others.end()) return row;
+        if (alike == others.end()) return condition;
         const double before = length(row);
         row = combined(row, -inner_product(row, *alike) / inner_product(*alike, *alike), *alike);
         const double after = length(row);
-        if (!(after > 0.0)) return row;
+        if (!(after > 0.0)) return condition;
         row.offset *= before / after;
         for (double& weight : row.weights) weight *= before / after;
+        rounding *= before / after;
+        condition.uncertainty = rounding;
     }
-    return row;
+    return condition;
 }
 
 AffineRow condition_row(const DesignForm& form, const SplineSpace& space, const PointCondition& condition,

@@ -37,19 +37,22 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     design.redundant_ = std::move(selection.redundant);
     design.contradictions_ = std::move(selection.contradictions);
     for (const Equality& equality : form.rows)
-        design.add_equality(without_fixed(equality.row, form, new_index), equality.name);
+        design.add_equality({without_fixed(equality.row, form, new_index), equality.name});
     std::vector<AffineRow> asked;
     for (const auto* conditions : {&form.leftover, &selection.kept}) {
         for (const PointCondition& condition : *conditions) {
-            asked.push_back(unlike(condition_row(form, request.space, condition, new_index), asked));
-            design.add_equality(asked.back(), condition.name);
+            Equality row{condition_row(form, request.space, condition, new_index), condition.name};
+            row = unlike(std::move(row), asked);
+            asked.push_back(row.row);
+            design.add_equality(std::move(row));
         }
     }
     for (LocalMap& map : form.maps) design.maps_.push_back(without_fixed(std::move(map), form, new_index));
     return design;
 }
 
-void DesignVector::add_equality(AffineRow row, std::string name) {
+void DesignVector::add_equality(Equality equality) {
+    const AffineRow& row = equality.row;
     double largest = 0.0;
     for (const double weight : row.weights) largest = std::max(largest, std::abs(weight));
     if (largest == 0.0) return;  // all its entries are fixed: no condition remains
@@ -61,7 +64,8 @@ void DesignVector::add_equality(AffineRow row, std::string name) {
         kept.weights.push_back(row.weights[k]);
     }
     if (kept.columns.size() == 1) fixed_entries_.push_back(kept.columns[0]);
-    equalities_.push_back({std::move(kept), std::move(name)});
+    equality.row = std::move(kept);
+    equalities_.push_back(std::move(equality));
 }
 
 AffineRow DesignVector::functional(double x, int order, Side side) const {

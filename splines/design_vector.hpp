@@ -60,7 +60,7 @@ class DesignVector {
 
  private:
     explicit DesignVector(SplineSpace space) : space_(std::move(space)) {}
-    void add_equality(AffineRow row, std::string name);
+    void add_equality(Equality equality);
 
     DesignKind kind_ = DesignKind::states;
     SplineSpace space_;

@@ -81,7 +81,7 @@ void GridNlp::add_fixed_rows() {
         rows_.push_back(std::move(row));
         lower.push_back(0.0);
         upper.push_back(0.0);
-        shape_.rows.push_back({true, false, 1.0});
+        shape_.rows.push_back({true, false, 1.0, 0.0, equality.uncertainty});
     }
     for (const ParameterRow& source : model.parameter_rows) {
         Row row;

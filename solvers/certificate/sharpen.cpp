@@ -100,12 +100,15 @@ class NonnegativeFit {
 
 /// Variables whose reduced cost is to be zero: that may have either sign, or peaks that are active.
 std::vector<Eigen::Index> to_balance(const DualityProof& proof) {
-    constexpr double balanced = 1e-6;  // of its cost: what is left of a peak with multipliers
+    constexpr double balanced = 1e-6;  // of its terms: what is left of a peak with multipliers
     const Eigen::VectorXd reduced = reduced_costs(proof);
+    const Eigen::VectorXd terms =
+        proof.cost.cwiseAbs() + proof.matrix.cwiseAbs().transpose() * proof.multipliers.cwiseAbs();
     std::vector<Eigen::Index> zero;
     for (Eigen::Index j = 0; j < proof.cost.size(); ++j) {
         const bool either_sign = proof.box.lower[j] < 0.0 && proof.box.upper[j] > 0.0;
-        if (either_sign || std::abs(reduced[j]) <= balanced * std::abs(proof.cost[j])) zero.push_back(j);
+        const bool is_active = terms[j] > 0.0 && std::abs(reduced[j]) <= balanced * terms[j];
+        if (either_sign || is_active) zero.push_back(j);
     }
     return zero;
 }

@@ -157,9 +157,21 @@ constexpr double deep_enough = 0.75;
 constexpr double well_proved = 0.9;
 // A least violation close to the tolerance is proved only by multipliers of higher accuracy.
 constexpr double second_look = 1e-2;
+// Of a second solve where the first has a proof.
+constexpr int most_rounds_of_proved = 20;
 
+/// Of a contradiction that these multipliers prove: Σ |λ_i| · uncertainty_i.
+double uncertainty_of(const NlpShape& shape, const Eigen::VectorXd& multipliers) {
+    double sum = 0.0;
+    for (int i = 0; i < shape.constraints(); ++i)
+        sum += std::abs(multipliers[i]) * shape.rows[static_cast<std::size_t>(i)].uncertainty;
+    return sum;
+}
+
+/// Points whose limits are off by more than `violates` call for a proof that there are none.
 Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Solver& solver,
-                 const Eigen::VectorXd& start, const ExchangeOptions& options, const SolveControl& control) {
+                 const Eigen::VectorXd& start, const ExchangeOptions& options, double violates,
+                 const SolveControl& control) {
     const ExchangeResult result = minimize_by_exchange(elastic, solver, start, options, control);
     Feasibility found;
     found.termination = result.termination;
@@ -169,14 +181,23 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Solv
     found.point = judged(problem, x.head(x.size() - 1));
     const bool on_final_grid = result.last.row_multipliers &&
                                result.last.row_multipliers->size() == elastic.grid().shape().constraints();
-    if (found.point.violation > options.tolerance && on_final_grid && elastic.convex(result.best.objective)) {
+    if (found.point.violation > violates && on_final_grid && elastic.convex(result.best.objective)) {
         DualityProof proof = duality_proof(elastic.grid(), x, *result.last.row_multipliers,
                                            elastic.box(result.best.objective, 0.0), "least_common_violation");
         const double least = x[x.size() - 1];
-        if (proof.bound < well_proved * least) sharpen(proof, least);
-        if (proof.bound > least_contradiction) found.proof = std::move(proof);
+        const bool is_last = options.tolerance <= violates;
+        if (is_last && proof.bound < well_proved * least) sharpen(proof, least);
+        const double rounding = uncertainty_of(elastic.grid().shape(), *result.last.row_multipliers);
+        if (proof.bound > std::max(least_contradiction, rounding)) found.proof = std::move(proof);
     }
     return found;
+}
+
+/// A proof that there is no point stays one where the next solve finds none.
+void keep_proof(Feasibility& found, Feasibility rough, double tolerance) {
+    if (!rough.proof || found.point.violation <= tolerance) return;
+    found.proof = std::move(rough.proof);
+    if (!(found.point.violation <= rough.point.violation)) found.point = std::move(rough.point);
 }
 
 }  // namespace
@@ -190,7 +211,8 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     const Eigen::VectorXd begin = elastic.start();
     double seconds = 0.0;
     const auto look_from = [&](const Eigen::VectorXd& start) {
-        Feasibility found = look(problem, elastic, other ? *other : *structured, start, own, control);
+        Feasibility found =
+            look(problem, elastic, other ? *other : *structured, start, own, options.tolerance, control);
         seconds = found.seconds_solver += seconds;
         return found;
     };
@@ -202,14 +224,22 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     own.tolerance = std::max(own.tolerance, first_look);
     own.backend.tolerance = std::max(own.backend.tolerance, first_look);
     const double inside = options.decides_only ? 0.0 : deep_inside;
-    Feasibility found = look_from(begin);
-    if (found.point.x.size() > 0 && found.point.violation <= inside) return found;
-    if (control.ending() || (options.decides_only && found.proof && found.proof->bound > options.tolerance))
-        return found;
+    Feasibility rough = look_from(begin);
+    if (rough.point.x.size() > 0 && rough.point.violation <= inside) return rough;
+    if (control.ending() || (options.decides_only && rough.proof && rough.proof->bound > options.tolerance))
+        return rough;
     own.enough = {};
     own.tolerance = options.tolerance;
     own.backend.tolerance = options.backend.tolerance;
-    found = look_from(begin);
+    if (rough.proof) {
+        // Only the least violation is not known closely: where rounding hides it, rounds follow without end.
+        own.most_rounds = std::min(own.most_rounds, most_rounds_of_proved);
+        own.enough = [](const ExchangeResult& result) {
+            return result.last.termination == Termination::numerical_failure;
+        };
+    }
+    Feasibility found = look_from(begin);
+    if (!found.proof) keep_proof(found, std::move(rough), options.tolerance);
     const bool open = found.point.violation > options.tolerance && !found.proof;
     if (found.point.x.size() == 0 || !open || control.stopped()) return found;
     own.tolerance *= second_look;

@@ -144,7 +144,7 @@ class RelaxedProblem final : public ContinuousProblem {
 
 struct Feasibility {
     Candidate point;                    ///< of the base problem, with the least violation
-    std::optional<DualityProof> proof;  ///< of infeasibility: its bound is above least_contradiction
+    std::optional<DualityProof> proof;  ///< of infeasibility: its bound is above what rounding may be
     Termination termination = Termination::not_run;
     double seconds_solver = 0.0;  ///< wall time inside the backend
 };

@@ -348,9 +348,9 @@ class MachineSearch {
         memory_.axes.clear();
         deliver(speed, true);
         // Motions that keep every limit but fail their audit are no impossibility.
-        const bool contradicts =
-            result_.certificate.verdict == Verdict::infeasible &&
-            first.certificate.worst_violation <= first.spec.axes.front().scene.solver.tolerance;
+        const double tolerance = machine_exchange(machine(), options_.max_seconds).tolerance;
+        const bool contradicts = result_.certificate.verdict == Verdict::infeasible &&
+                                 first.certificate.worst_violation <= tolerance;
         if (!contradicts && is_better(result_.certificate, first.certificate, wanted_gap())) return true;
         result_ = std::move(first);
         memory_ = std::move(memory);

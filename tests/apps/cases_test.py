@@ -27,6 +27,9 @@ ROWS = [
     ("solve 45c_respecify.toml", 3, {"verdict": "infeasible"}, ["increase the preload to 8.8771 N", "the spring rate to 227.04 N/m"], []),
     ("solve 43_laws.toml", 3, {}, [], ["curve of this spline", "More segments", "weights"]),
     ("solve contradicting_verdicts.toml", 3, {"verdict": "infeasible"}, [], []),
+    # Rounding hides its least violation, which took 13 s; that it has no motion is found at once.
+    ("solve infeasible_degree_seven.toml --set solver.max_seconds=4 --set solver.explain_seconds=0", 3, {"verdict": "infeasible"}, [], []),
+    ("machine machine_wide_boxes/machine.toml", 3, {"verdict": "infeasible"}, ["No motions exist at 38 rpm: proved"], []),
     # The die alone: 60 rpm at 2.89424 m/s^2, thus 111.528 rpm at 10 m/s^2.
     ("machine 55c_press.toml", 0, {"verdict": "optimal", "speed_rpm": (111.528, 0.06), "impossible_above_rpm": (111.528, 0.06)}, [], []),
     # Its clearance begins 1 deg later than the corridor of 55c_press.

@@ -95,9 +95,10 @@ double Balance::drift() const {
     return all;
 }
 
-double Balance::distance() const {
-    double all = 0.0;
-    for (const Part& part : parts_) all += part.space->distance(*part.motion);
+VectorXd Balance::correction() const {
+    VectorXd all(size_);
+    for (const Part& part : parts_)
+        all.segment(part.first, part.space->size()) = part.space->correction(*part.motion);
     return all;
 }
 
@@ -111,7 +112,8 @@ void Balance::judge_growth(double lipschitz, KnownAnswer& answer) const {
     std::vector<Row> hard;
     for (const Row& one : rows_)
         if (!one.row->is_cost() && (one.row->multiplier > 0.0 || one.row->written)) hard.push_back(one);
-    const double drift = this->drift(), distance = this->distance();
+    const double drift = this->drift();
+    const VectorXd correction = this->correction();
     answer.growth = -1.0;
     if (hard.empty()) answer.growth = lipschitz * drift;
     if (hard.empty()) return;
@@ -123,7 +125,8 @@ void Balance::judge_growth(double lipschitz, KnownAnswer& answer) const {
         a.row(static_cast<Index>(k)) = on_directions(row.gradient, hard[k].first).transpose() / row.size;
         const double own = 1.0 + row.gradient.norm() * drift / row.size;
         violation += own * own;
-        left += std::pow(row.gradient.norm() * distance / row.size, 2);
+        left +=
+            std::pow(row.gradient.dot(correction.segment(hard[k].first, row.gradient.size())) / row.size, 2);
     }
     if (a.rows() > a.cols()) return;
     const VectorXd stretches = Eigen::BDCSVD<MatrixXd>(a).singularValues();

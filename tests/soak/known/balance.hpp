@@ -72,7 +72,8 @@ class Balance {
     [[nodiscard]] Eigen::VectorXd weighted_sum() const;
     [[nodiscard]] double sensitivity(const Eigen::VectorXd& sum) const;
     [[nodiscard]] double drift() const;
-    [[nodiscard]] double distance() const;
+    /// Of all motions, to the next ones of their spaces.
+    [[nodiscard]] Eigen::VectorXd correction() const;
     [[nodiscard]] double reach() const;
     void judge_growth(double lipschitz, KnownAnswer& answer) const;
 

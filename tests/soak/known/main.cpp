@@ -26,6 +26,8 @@ namespace {
 
 std::atomic<bool> interrupted{false};
 
+constexpr double slow = 1.0;  // s
+
 struct Options {
     KnownSettings settings;
     long first = 0, scenes = 1000;
@@ -45,7 +47,7 @@ constexpr const char* usage =
     "  --edges          scenes at the edge: numbers moved by round-off, near impossible, extreme units\n"
     "  --threads T      (2)\n"
     "  --state FILE     goes on with the first scene that this file does not count, and adds to it\n"
-    "  --out FOLDER     where scenes that failed are written (out/known)\n"
+    "  --out FOLDER     where scenes that failed, or took longer than a second, are written (out/known)\n"
     "  --print          prints scene --first and its answer, a machine with its axes; solves nothing\n"
     "Ctrl-C: what is finished is counted. Exit status: 0 none wrong, 1 some are, 2 wrong command line.\n";
 
@@ -149,18 +151,19 @@ class Trials {
             const Judged found = judged(scene);
             const std::scoped_lock lock(mutex_);
             tally_.add(number - options_.first, scene, found);
-            if (found.judgement != Judgement::right) keep(number, scene, found);
+            if (found.judgement != Judgement::right) keep(number, scene, found, name_of(found.judgement));
+            if (found.seconds > slow) keep(number, scene, found, "slow");
             tell();
         }
     }
 
-    void keep(long number, const KnownScene& scene, const Judged& found) const {
-        const std::filesystem::path folder =
-            std::filesystem::path(options_.folder) / name_of(found.judgement);
+    void keep(long number, const KnownScene& scene, const Judged& found, const char* why_kept) const {
+        const std::filesystem::path folder = std::filesystem::path(options_.folder) / why_kept;
         const std::string name =
             fmt::format("{}{}_{}{}", options_.settings.edges ? "edge_" : "", options_.settings.seed, number,
                         options_.settings.kind < 0 ? "" : fmt::format("_{}", options_.settings.kind));
-        const std::string why = fmt::format("# {}\n", found.why.substr(0, found.why.find('\n')));
+        const std::string why =
+            fmt::format("# {} ({:.2f} s)\n", found.why.substr(0, found.why.find('\n')), found.seconds);
         const std::filesystem::path file = write_scene(scene, folder, name, why + answer_text(scene));
         if (found.judgement == Judgement::wrong || found.judgement == Judgement::refused)
             fmt::print("{} {} ({}): {}\n    {}\n", name_of(found.judgement), number, scene.kind, found.why,

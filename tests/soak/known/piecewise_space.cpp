@@ -16,6 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double same_row = 1e-11;  // below it rows are the same but for rounding
+
 /// Bernstein polynomials of a degree at t, by de Casteljau's recursion: no cancellation.
 VectorXd bernstein(int degree, double t) {
     VectorXd values = VectorXd::Zero(degree + 1);
@@ -161,7 +163,7 @@ bool PiecewiseSpace::close() {
         values[static_cast<Index>(k)] = conditions_[k].value;
     }
     Eigen::ColPivHouseholderQR<MatrixXd> factor(equations_.transpose());
-    factor.setThreshold(1e-11);  // below it rows are the same but for rounding
+    factor.setThreshold(same_row);
     const Index rank = factor.rank();
     least_pivot_ = std::abs(factor.matrixQR()(rank - 1, rank - 1));
     MatrixXd basis = MatrixXd::Identity(size(), size());
@@ -256,11 +258,16 @@ double PiecewiseSpace::drift(const VectorXd& motion) const {
     return change.norm() * std::sqrt(static_cast<double>(size())) / least_pivot_;
 }
 
-double PiecewiseSpace::distance(const VectorXd& motion) const {
+VectorXd PiecewiseSpace::correction(const VectorXd& motion) const {
     VectorXd left(static_cast<Index>(conditions_.size()));
-    for (std::size_t k = 0; k < conditions_.size(); ++k)
-        left[static_cast<Index>(k)] = conditions_[k].row.dot(motion) - conditions_[k].value;
-    return left.norm() * std::sqrt(static_cast<double>(size())) / least_pivot_;
+    for (std::size_t k = 0; k < conditions_.size(); ++k) {
+        // What is left is rounding of the terms: double would add as much.
+        const auto terms = conditions_[k].row.cast<long double>().cwiseProduct(motion.cast<long double>());
+        left[static_cast<Index>(k)] = static_cast<double>(conditions_[k].value - terms.sum());
+    }
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor(equations_);
+    factor.setThreshold(same_row);
+    return factor.solve(left);
 }
 
 }  // namespace camopt::soak

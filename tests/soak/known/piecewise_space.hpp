@@ -87,8 +87,8 @@ class PiecewiseSpace {
     [[nodiscard]] double sensitivity(const Eigen::VectorXd& v, const Eigen::VectorXd& motion) const;
     /// How far c may have to move for such a change: about |E⁺| · size of its terms.
     [[nodiscard]] double drift(const Eigen::VectorXd& motion) const;
-    /// How far c may be from one that meets its conditions exactly.
-    [[nodiscard]] double distance(const Eigen::VectorXd& motion) const;
+    /// From c to the next that meets its conditions exactly.
+    [[nodiscard]] Eigen::VectorXd correction(const Eigen::VectorXd& motion) const;
 
  private:
     struct Condition {

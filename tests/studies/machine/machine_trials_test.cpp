@@ -2,7 +2,6 @@
 // Machines whose largest speed is known from elsewhere, and random ones compared with redundant twins.
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
-#include "solvers/registry.hpp"
 #include "studies/machine/machine.hpp"
 #include "tests/support/long_run.hpp"
 #include "tests/support/source_folder.hpp"
@@ -69,8 +68,6 @@ TEST(MachineTrials, WeightsOfZeroAreProved) {
 
 TEST(MachineTrials, CloseConditionsAreNoContradiction) {
     constexpr double optimum = 2.1045210078617638, error = 2.4e-5;
-    if (solver_after_structured().empty())
-        GTEST_SKIP() << "without Ipopt and SuiteSparse rounding passes for a contradiction here";
     const MachineSolution solution = solve_machine(machine_case("machine_close_conditions/machine.toml"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_NEAR(solution.certificate.objective, optimum, error);
