@@ -61,8 +61,8 @@ struct RowKind {
     /// A hard limit of the user's scene (a cap, a pressure angle). Only these rows may make a problem
     /// infeasible; the elastic problem relaxes them in proportion to `scale`.
     bool limit = false;
-    double scale = 1.0;     ///< size of the limit, > 0: a violation of `scale` is one of 100 %
-    double rounding = 0.0;  ///< of its value, at points of the usual size: proofs relax its sides by this
+    double scale = 1.0;        ///< size of the limit, > 0: a violation of `scale` is one of 100 %
+    double rounding = 0.0;     ///< of its value, at points of the usual size: proofs relax its sides by this
     double uncertainty = 0.0;  ///< likewise, by round-off of its own numbers: contradictions are larger
 };
 

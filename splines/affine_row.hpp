@@ -23,7 +23,8 @@ struct AffineRow {
 struct Equality {
     AffineRow row;  ///< must be 0
     std::string name;
-    double uncertainty = 0.0;  ///< of the value at x of size 1, over the largest weight, by round-off of the row
+    /// Of the value at x of size 1, by round-off of the row; relative to its largest weight.
+    double uncertainty = 0.0;
 };
 
 /// One local polynomial as an affine map of x.

@@ -52,8 +52,8 @@ struct ConditionSelection {
                                       const PointCondition& condition, const std::vector<int>& new_index);
 
 /// The same condition, given that the others hold, as a row that is not nearly parallel to any of them: two
-/// points at a distance d become a point and a slope, so that the condition number does not grow like 1/d. The
-/// slope is known to round-off over d: its uncertainty.
+/// points at a distance d become a point and a slope, so that the condition number does not grow like 1/d.
+/// The slope is known to round-off over d: its uncertainty.
 [[nodiscard]] Equality unlike(Equality condition, const std::vector<AffineRow>& others);
 
 }  // namespace camopt
