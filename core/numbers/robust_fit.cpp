@@ -130,6 +130,7 @@ std::vector<LocalFit> closest_local_fits(std::span<const double> at, std::span<c
     for (int i = 0; i <= halvings; ++i, width *= 0.5) {
         std::vector<LocalFit> fits = local_fits(at, values, period, width);
         std::vector<double> off;
+        off.reserve(fits.size());
         for (const LocalFit& fit : fits) off.push_back(fit.off);
         const double most = outlying * spread_of(off);
         double squares = 0.0;

@@ -63,7 +63,8 @@ std::string words_of_cam(const std::string& cam) {
         const std::size_t sign = cam.find_first_of("+-", begin);
         if (sign >= end) break;
         const std::string word = cam.substr(begin, sign - begin), size = cam.substr(sign + 1, end - sign - 1);
-        const auto motion = std::ranges::find(motions, word, [](const auto& one) { return one.first; });
+        const auto* const motion =
+            std::ranges::find(motions, word, [](const auto& one) { return one.first; });
         const std::string name = motion != motions.end() ? std::string("the ") + motion->second + " error"
                                                          : words_of_tolerance("tolerance." + word);
         parts.push_back(fmt::format("{} at {}", name,

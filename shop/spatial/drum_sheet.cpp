@@ -56,7 +56,7 @@ std::vector<DevelopedLine> on_one_turn(const DevelopedLine& line, double around,
             continue;
         }
         Vector2d from = line[k - 1];
-        const Vector2d to = line[k];
+        const Vector2d& to = line[k];
         if (inside(from) != inside(to)) {
             const Vector2d end = between(from, to, 1, (inside(from) ? to : from).y() < 0.0 ? 0.0 : length);
             if (inside(from)) {
@@ -265,6 +265,7 @@ class DrumSheetMaker {
         std::vector<Vector3d> way;
         const int turns = static_cast<int>(std::ceil((way_.end() - way_.begin()) / units::turn));
         const std::vector<double> angles = even_angles(way_, turns * line_angles);
+        way.reserve(angles.size());
         for (const double theta : angles) way.push_back(near_end(theta));
         if (indexing_) {
             for (const double theta : angles) {
@@ -281,7 +282,7 @@ class DrumSheetMaker {
         for (const std::vector<Vector3d>& edge : edges) add_lines("cam", edge);
         add_lines("pitch", way);
         const auto has_room = [&](int step) { return body_.radius * step * degree > paper(label_width); };
-        const auto chosen = std::ranges::find_if(label_steps, has_room);
+        const auto* const chosen = std::ranges::find_if(label_steps, has_room);
         const int label_step = chosen == label_steps.end() ? label_steps.back() : *chosen;
         for (int alpha = 0; alpha <= 360; alpha += label_step) {
             const double x = body_.radius * alpha * degree;
@@ -383,7 +384,7 @@ class DrumSheetMaker {
                           {middle_, -paper(line_distance + next_line)});
         if (right.empty()) return;
         const std::size_t half = right.size() / 2;
-        const Vector2d lower = right.front(), upper = right.back(), floor = right[half - 1];
+        const Vector2d &lower = right.front(), &upper = right.back(), &floor = right[half - 1];
         const double x = middle_ + body_.radius + paper(line_distance);
         add_dimension({middle_ + lower.x(), 0.0}, {middle_ + lower.x(), lower.y()}, up, {x, 0.0});
         add_dimension({middle_ + lower.x(), lower.y()}, {middle_ + upper.x(), upper.y()}, up,

@@ -139,7 +139,7 @@ Blank blank_of(const MilledGroove& groove, const CamFlanks& cam, const BlankChoi
     extent.radius += choice.allowance;
     extent.lower -= choice.allowance;
     extent.upper += choice.allowance;
-    const Blank blank = chosen_blank(extent, choice);
+    Blank blank = chosen_blank(extent, choice);
     if (blank.radius <= deepest)
         throw InputError(fmt::format("blank: {} ends above the groove, whose least radius is {:.3f} mm",
                                      words_of(blank), millimetres_shown.of(deepest)));

@@ -35,11 +35,14 @@ Judged of_optimum(const KnownAnswer& answer, const Certificate& found) {
     const double stated = found.gap.value_or(0.0) * std::max(1.0, std::abs(found.objective));
     const double near = std::max(accuracy * std::abs(answer.objective), stated) + answer.error;
     const double off = found.objective - answer.objective;
+    // Where limits leave no room the result says by how much it passes them, and what it is compared with.
+    const double passes = found.proof ? found.proof->limits_relaxed_by : 0.0;
+    const double below = answer.below + passes * answer.condition * std::abs(answer.objective);
     if (found.lower_bound && *found.lower_bound > answer.objective + answer.above + answer.error +
                                                       1e-12 * std::abs(answer.objective))
         judged.why = fmt::format("bound {:.17g} above the known optimum {:.17g}", *found.lower_bound,
                                  answer.objective);
-    else if (has_feasible_motion(found.verdict) && off < -near - answer.below)
+    else if (has_feasible_motion(found.verdict) && off < -near - below)
         judged.why = fmt::format("objective {:.17g} below the known optimum {:.17g} by {:.2e}",
                                  found.objective, answer.objective, -off);
     else if (found.verdict == Verdict::optimal && off > near + answer.above)
