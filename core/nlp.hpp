@@ -63,7 +63,7 @@ struct RowKind {
     bool limit = false;
     double scale = 1.0;        ///< size of the limit, > 0: a violation of `scale` is one of 100 %
     double rounding = 0.0;     ///< of its value, at points of the usual size: proofs relax its sides by this
-    double uncertainty = 0.0;  ///< likewise, by round-off of its own numbers: contradictions are larger
+    double uncertainty = 0.0;  ///< likewise, by round-off of its numbers: contradictions are larger
 };
 
 /// Multipliers prove a contradiction (0 >= excess, that is no feasible point) where the excess of rows of

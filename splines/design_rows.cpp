@@ -108,21 +108,20 @@ double length(const AffineRow& row) {
 
 Equality unlike(Equality condition, const std::vector<AffineRow>& others) {
     AffineRow& row = condition.row;
-    double rounding = std::numeric_limits<double>::epsilon();
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
     // Each step removes one direction.
     for (std::size_t step = 0; step < others.size(); ++step) {
-        const auto alike = std::ranges::find_if(others, [&](const AffineRow& other) {
+        const auto parallel = std::ranges::find_if(others, [&](const AffineRow& other) {
             return std::abs(inner_product(row, other)) > nearly_parallel * length(row) * length(other);
         });
-        if (alike == others.end()) return condition;
+        if (parallel == others.end()) return condition;
         const double before = length(row);
-        row = combined(row, -inner_product(row, *alike) / inner_product(*alike, *alike), *alike);
+        row = combined(row, -inner_product(row, *parallel) / inner_product(*parallel, *parallel), *parallel);
         const double after = length(row);
         if (!(after > 0.0)) return condition;
         row.offset *= before / after;
         for (double& weight : row.weights) weight *= before / after;
-        rounding *= before / after;
-        condition.uncertainty = rounding;
+        condition.uncertainty = std::max(condition.uncertainty, rounding) * (before / after);
     }
     return condition;
 }
