@@ -36,14 +36,16 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     if (!request.conditions.empty() || request.space.dimension() < 6) selection = select_conditions(request);
     design.redundant_ = std::move(selection.redundant);
     design.contradictions_ = std::move(selection.contradictions);
-    for (const Equality& equality : form.rows)
-        design.add_equality({without_fixed(equality.row, form, new_index), equality.name});
-    std::vector<AffineRow> asked;
+    std::vector<AffineRow> known;
+    for (const Equality& equality : form.rows) {
+        known.push_back(without_fixed(equality.row, form, new_index));
+        design.add_equality({known.back(), equality.name});
+    }
     for (const auto* conditions : {&form.leftover, &selection.kept}) {
         for (const PointCondition& condition : *conditions) {
             Equality row{condition_row(form, request.space, condition, new_index), condition.name};
-            row = unlike(std::move(row), asked);
-            asked.push_back(row.row);
+            row = unlike(std::move(row), known);
+            known.push_back(row.row);
             design.add_equality(std::move(row));
         }
     }

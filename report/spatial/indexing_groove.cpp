@@ -141,7 +141,7 @@ double IndexingGroove::top(double phi, double from, double inwards) const {
     if (!inside(1.0))
         throw InputError(fmt::format(
             "indexing cam: the roller leaves the cam's outside, not its ends, at a cam angle of {:.1f} deg",
-            degrees_shown.of(phi)));
+            degrees_shown.of(phi - std::floor(phi / units::turn) * units::turn)));
     double outside = 0.0;
     while (inside(outside)) outside = 2.0 * outside - 1.0;
     return from + inwards * bisected(inside, {1.0, outside}, halvings).with;

@@ -113,6 +113,7 @@ Matrix matrix_of(const NlpShape& shape, const std::vector<double>& values) {
 
 StandardForm::StandardForm(const Nlp& problem, const VectorXd& start) : problem_(problem) {
     read(start);
+    if (status_ == Status::ready) leave_out_idle(start);
     if (status_ == Status::ready) keep_rows();
     if (status_ == Status::ready) equilibrate(start);
     if (status_ == Status::ready) scale_cost(start);
@@ -154,6 +155,28 @@ void StandardForm::read(const VectorXd& start) {
     const bool finite = constant_.allFinite() &&
                         std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
     if (!finite) fail(Status::evaluation_error, "constraint rows are not finite");
+}
+
+/// Variables in no row that has a side, and not in the cost: nothing would keep them from running away, and
+/// what rows may be off is relative to the largest variable.
+void StandardForm::leave_out_idle(const VectorXd& start) {
+    const NlpShape& shape = problem_.shape();
+    if (!shape.linear_cost) return;
+    VectorXd gradient(shape.variables());
+    problem_.gradient(start, gradient);
+    const auto in_row = [&](int j) {
+        for (Matrix::InnerIterator entry(full_, j); entry; ++entry)
+            if (entry.value() != 0.0 &&
+                (std::isfinite(shape.g_lower[entry.row()]) || std::isfinite(shape.g_upper[entry.row()])))
+                return true;
+        return false;
+    };
+    const auto is_idle = [&](int j) {
+        if (gradient[j] != 0.0 || in_row(j)) return false;
+        base_[j] = std::clamp(start[j], shape.x_lower[j], shape.x_upper[j]);
+        return true;
+    };
+    std::erase_if(kept_variables_, is_idle);
 }
 
 void StandardForm::keep_rows() {

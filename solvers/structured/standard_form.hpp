@@ -52,6 +52,7 @@ class StandardForm {
 
  private:
     void read(const Eigen::VectorXd& start);
+    void leave_out_idle(const Eigen::VectorXd& start);
     void keep_rows();
     void equilibrate(const Eigen::VectorXd& start);
     void shrink_far_rows();
@@ -63,7 +64,7 @@ class StandardForm {
     std::string detail_;
     std::optional<Ray> ray_;
     ConvexModel model_;
-    Eigen::VectorXd base_;              ///< fixed variables at their value, 0 elsewhere
+    Eigen::VectorXd base_;              ///< variables that are fixed or idle at their value, 0 elsewhere
     Eigen::VectorXd constant_;          ///< rows at x = 0
     Eigen::SparseMatrix<double> full_;  ///< G
     std::vector<int> kept_variables_, kept_rows_;
