@@ -250,7 +250,7 @@ MachineProblem::OwnPlace MachineProblem::axis_place(int index, double angle) con
     const AxisPlace& spec = blocks_[index].spec;
     const MotionFamily& design = blocks_[index].problem->model().design;
     double master = angle <= units::turn + same_angle ? angle : angle - units::turn;
-    if (angle > units::turn && master <= after_fall) master = 0.0;
+    if (angle > units::turn && master <= after_fall + same_angle) master = 0.0;  // 2π + after_fall is rounded
     const double cycles = std::floor((master - spec.phase) / units::turn);
     const double x = (master - spec.phase - units::turn * cycles) / spec.unit_angle;
     return {std::clamp(design.begin() + x, design.begin(), design.end()),

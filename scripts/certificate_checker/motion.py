@@ -10,7 +10,7 @@ import contextlib
 
 from .conditions import IMPLIED, Conditions
 from .exact import (
-    JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral, largest,
+    JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, bernstein, combination, derivative, integral, largest,
     largest_magnitude, number, product, root, shifted, value_at)
 from .motion_bounds import keep_bounds, lost_area
 from .laws import is_same
@@ -98,14 +98,14 @@ class Curve:
 
     @staticmethod
     def distances(space, control, points, delivered):
-        """By order: the largest distance of the spline of these control points from the delivered one."""
+        """By order: a bound of how far the spline of these control points is from the delivered one."""
         distance = [Fraction(0)] * 4
         for i, piece in enumerate(space.pieces(control)):
             width = space.width(i)
             moved = shifted(delivered[i], space.breakpoints[i] - points[i])
             for order in range(4):
-                error = derivative(combination((1, piece), (-1, moved)), order)
-                distance[order] = max(distance[order], sum((abs(c) * width**m for m, c in enumerate(error)), Fraction(0)))
+                error = bernstein(derivative(combination((1, piece), (-1, moved)), order), width)
+                distance[order] = max(distance[order], *map(abs, error))
         return distance
 
     @staticmethod

@@ -193,6 +193,18 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Solv
     return found;
 }
 
+/// By how much a point is off the grid's equations.
+double missed_equations(const Nlp& grid, const Eigen::VectorXd& x) {
+    const NlpShape& shape = grid.shape();
+    Eigen::VectorXd values(shape.constraints());
+    grid.constraints(x, values);
+    double most = 0.0;
+    for (int i = 0; i < shape.constraints(); ++i)
+        if (shape.g_lower[i] == shape.g_upper[i])
+            most = std::max(most, std::abs(values[i] - shape.g_upper[i]));
+    return most;
+}
+
 /// A proof that there is no point stays one where the next solve finds none.
 void keep_proof(Feasibility& found, Feasibility rough, double tolerance) {
     if (!rough.proof || found.point.violation <= tolerance) return;
@@ -225,12 +237,17 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     own.backend.tolerance = std::max(own.backend.tolerance, first_look);
     const double inside = options.decides_only ? 0.0 : deep_inside;
     Feasibility rough = look_from(begin);
-    if (rough.point.x.size() > 0 && rough.point.violation <= inside) return rough;
+    // Where rows nearly depend on each other a point close to their equations may be far inside limits that
+    // no point on them satisfies.
+    if (rough.point.x.size() > 0 && rough.point.violation <= inside &&
+        missed_equations(problem.grid(), rough.point.x) <= options.tolerance)
+        return rough;
     if (control.ending() || (options.decides_only && rough.proof && rough.proof->bound > options.tolerance))
         return rough;
     own.enough = {};
     own.tolerance = options.tolerance;
     own.backend.tolerance = options.backend.tolerance;
+    if (other == nullptr) own.backend.native.emplace("regularisation", fine_regularisation);
     if (rough.proof) {
         // Only the least violation is not known closely: where rounding hides it, rounds follow without end.
         own.most_rounds = std::min(own.most_rounds, most_rounds_of_proved);

@@ -53,9 +53,13 @@ class LinearRowsRun {
                    solved.stop != Stop::time_limit && solved.stop != Stop::iteration_limit &&
                    solved.stop != Stop::evaluation_error && solved.errors.worst() > limits_.tolerance;
         };
+        const bool runs_away =
+            solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded;
+        if (hopeless() && !runs_away && limits_.shift > fine_regularisation) {
+            limits_.shift = fine_regularisation;
+            repeat(start, solved);
+        }
         if (!has_optimum_ && hopeless()) {
-            const bool runs_away =
-                solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded;
             const bool far_off = solved.errors.worst() > acceptable * tolerance_;
             if ((runs_away || far_off || solved.errors.primal > limits_.tolerance) &&
                 proved_infeasible(result))
@@ -68,7 +72,10 @@ class LinearRowsRun {
         }
         if (hopeless() && solved.errors.worst() > acceptable * tolerance_) {
             if (!has_optimum_ && proved_unbounded(solved, result)) return result;
-            if (exact_after_failure_) solve_exactly(start, solved);
+            if (exact_after_failure_) {
+                limits_.exact_steps = true;
+                repeat(start, solved);
+            }
         }
         return delivered(solved);
     }
@@ -109,11 +116,10 @@ class LinearRowsRun {
                            solved.stop == Stop::time_limit;
         return ended ? solved : InteriorPointResult{};
     }
-    void solve_exactly(const VectorXd& start, InteriorPointResult& solved) {
-        InteriorPointLimits limits = limits_;
-        limits.exact_steps = true;
-        InteriorPointResult exact = searched(start, limits);
-        if (exact.errors.worst() < solved.errors.worst()) solved = std::move(exact);
+    /// With limits that have changed; the better of both points is kept.
+    void repeat(const VectorXd& start, InteriorPointResult& solved) {
+        InteriorPointResult again = searched(start, limits_);
+        if (again.errors.worst() < solved.errors.worst()) solved = std::move(again);
     }
     BackendResult delivered(const InteriorPointResult& solved) const {
         BackendResult result;

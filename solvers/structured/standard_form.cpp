@@ -113,7 +113,7 @@ Matrix matrix_of(const NlpShape& shape, const std::vector<double>& values) {
 
 StandardForm::StandardForm(const Nlp& problem, const VectorXd& start) : problem_(problem) {
     read(start);
-    if (status_ == Status::ready) leave_out_idle(start);
+    if (status_ == Status::ready && problem.shape().linear_cost) leave_out_idle(start);
     if (status_ == Status::ready) keep_rows();
     if (status_ == Status::ready) equilibrate(start);
     if (status_ == Status::ready) scale_cost(start);
@@ -154,16 +154,15 @@ void StandardForm::read(const VectorXd& start) {
         if (std::abs(constant_[i]) <= 1e-14 * size[i]) constant_[i] = 0.0;
     const bool finite = constant_.allFinite() &&
                         std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    if (!finite) fail(Status::evaluation_error, "constraint rows are not finite");
+    if (!finite) return fail(Status::evaluation_error, "constraint rows are not finite");
+    gradient_.resize(shape.variables());
+    problem_.gradient(start, gradient_);
 }
 
 /// Variables in no row that has a side, and not in the cost: nothing would keep them from running away, and
 /// what rows may be off is relative to the largest variable.
 void StandardForm::leave_out_idle(const VectorXd& start) {
     const NlpShape& shape = problem_.shape();
-    if (!shape.linear_cost) return;
-    VectorXd gradient(shape.variables());
-    problem_.gradient(start, gradient);
     const auto in_row = [&](int j) {
         for (Matrix::InnerIterator entry(full_, j); entry; ++entry)
             if (entry.value() != 0.0 &&
@@ -172,7 +171,7 @@ void StandardForm::leave_out_idle(const VectorXd& start) {
         return false;
     };
     const auto is_idle = [&](int j) {
-        if (gradient[j] != 0.0 || in_row(j)) return false;
+        if (gradient_[j] != 0.0 || in_row(j)) return false;
         base_[j] = std::clamp(start[j], shape.x_lower[j], shape.x_upper[j]);
         return true;
     };
@@ -324,8 +323,7 @@ void StandardForm::scale_cost(const VectorXd& start) {
     const VectorXd x = to_model(start);
     std::vector<double> curvature(static_cast<std::size_t>(model_.hessian.size()));
     model_.cost->hessian(x, curvature);
-    VectorXd gradient(x.size());
-    model_.cost->gradient(x, gradient);
+    const VectorXd gradient = gradient_(kept_variables_).cwiseProduct(column_scale_);
     double size = gradient.size() > 0 ? gradient.cwiseAbs().maxCoeff() : 0.0;
     for (const double entry : curvature) size = std::max(size, std::abs(entry));
     if (!std::isfinite(size)) return fail(Status::evaluation_error, "the cost is not finite at the start");

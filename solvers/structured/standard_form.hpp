@@ -67,6 +67,7 @@ class StandardForm {
     Eigen::VectorXd base_;              ///< variables that are fixed or idle at their value, 0 elsewhere
     Eigen::VectorXd constant_;          ///< rows at x = 0
     Eigen::SparseMatrix<double> full_;  ///< G
+    Eigen::VectorXd gradient_;          ///< of the cost, at the start
     std::vector<int> kept_variables_, kept_rows_;
     Eigen::VectorXd column_scale_, row_scale_;
     double cost_scale_ = 1.0;

@@ -8,6 +8,10 @@
 
 namespace camopt {
 
+/// Of "regularisation" where conditions nearly depend on each other, or segments differ by orders of
+/// magnitude: the default holds their multipliers back, and errors fall late.
+inline constexpr double fine_regularisation = 1e-12;
+
 struct StructuredOptions {
     /// Iterations, the elastic phase apart; BackendOptions::max_iterations cuts it further. >= 1. Problems
     /// that need more than 60 are badly posed.

@@ -2,6 +2,7 @@
 #include "studies/search/convex_solve.hpp"
 
 #include "solvers/registry.hpp"
+#include "solvers/structured/structured_options.hpp"
 #include "studies/search/planned_run.hpp"
 
 namespace camopt {
@@ -12,8 +13,6 @@ namespace {
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
 // Of a small gap: what closes it at all does so at once.
 constexpr double nearly_proved = 1e-4, share_where_nearly_proved = 0.05;
-// Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
-constexpr double fine_shift = 1e-11;
 constexpr long long long_patience = 60;
 
 /// Keeps the better of two results: what proves more, of what does not the motion of the least objective with
@@ -68,7 +67,7 @@ void try_harder(const ConvexRun& run, ExchangeOptions exchange, ContinuousResult
         return is_proved(result.certificate);
     };
     ExchangeOptions fine = exchange, exact = exchange;
-    fine.backend.native.emplace("regularisation", fine_shift);
+    fine.backend.native.emplace("regularisation", fine_regularisation);
     fine.backend.native.emplace("patience", long_patience);
     exact.backend.exact_steps = ExactSteps::always;
     if (proves(fine) || proves(exact)) return;

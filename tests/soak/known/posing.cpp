@@ -117,7 +117,14 @@ double Posing::size_of(const Combination& weights, const Extreme& at, double con
         sum += std::abs(weights[order]) * (1.0 + static_cast<double>(order)) * std::abs(derivative(order));
         if (order + 1 < weights.size()) sum += std::abs(weights[order] * at.x * derivative(order + 1));
     }
-    return sum;
+    // Beside an end at rest the powers that a double adds up nearly cancel.
+    long double terms = 0.0L, power = 1.0L;
+    const long double t = (at.x - draft_.space.begin(at.piece)) / draft_.space.width(at.piece);
+    for (const long double coefficient : draft_.space.polynomial(motion_, weights, at.piece)) {
+        terms += std::abs(coefficient) * power;
+        power *= t;
+    }
+    return std::max(sum, static_cast<double>(terms));
 }
 
 void Posing::add_terms() {
