@@ -247,7 +247,6 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     own.enough = {};
     own.tolerance = options.tolerance;
     own.backend.tolerance = options.backend.tolerance;
-    if (other == nullptr) own.backend.native.emplace("regularisation", fine_regularisation);
     if (rough.proof) {
         // Only the least violation is not known closely: where rounding hides it, rounds follow without end.
         own.most_rounds = std::min(own.most_rounds, most_rounds_of_proved);
