@@ -205,9 +205,45 @@ double missed_equations(const Nlp& grid, const Eigen::VectorXd& x) {
     return most;
 }
 
+/// Of the first look: it ends deep inside, and its tolerance is one on the least violation.
+ExchangeOptions roughly(ExchangeOptions options, const ElasticProblem& elastic) {
+    options.tolerance = std::max(options.tolerance, first_look);
+    options.backend.tolerance = std::max(options.backend.tolerance, first_look);
+    options.enough = [&elastic, decides = options.decides_only](const ExchangeResult& result) {
+        const double deepest = deep_enough * elastic.grid().cost(result.last.x);
+        const double enough = decides ? 0.0 : std::min(deep_inside, deepest);
+        return result.latest.x.size() > 0 && result.latest.objective <= enough;
+    };
+    return options;
+}
+
+/// Of a second look where the first has a proof: only the least violation is not known closely, and where
+/// rounding hides it, rounds follow without end.
+ExchangeOptions once_proved(ExchangeOptions options) {
+    options.most_rounds = std::min(options.most_rounds, most_rounds_of_proved);
+    options.enough = [](const ExchangeResult& result) {
+        return result.last.termination == Termination::numerical_failure;
+    };
+    return options;
+}
+
+ExchangeOptions more_closely(ExchangeOptions options) {
+    options.tolerance *= second_look;
+    options.backend.tolerance *= second_look;
+    return options;
+}
+
+/// Where rows nearly depend on each other a point close to their equations may be far inside limits that no
+/// point on them satisfies.
+bool is_inside(const Feasibility& found, const ContinuousProblem& problem, const ExchangeOptions& options) {
+    const double inside = options.decides_only ? 0.0 : deep_inside;
+    return found.point.x.size() > 0 && found.point.violation <= inside &&
+           missed_equations(problem.grid(), found.point.x) <= options.tolerance;
+}
+
 /// A proof that there is no point stays one where the next solve finds none.
 void keep_proof(Feasibility& found, Feasibility rough, double tolerance) {
-    if (!rough.proof || found.point.violation <= tolerance) return;
+    if (!rough.proof || found.proof || found.point.violation <= tolerance) return;
     found.proof = std::move(rough.proof);
     if (!(found.point.violation <= rough.point.violation)) found.point = std::move(rough.point);
 }
@@ -220,49 +256,25 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     const std::unique_ptr<Solver> structured = make_structured_solver();
     ExchangeOptions own = options;
     own.backend.native.clear();  // they belong to the user's backend
-    const Eigen::VectorXd begin = elastic.start();
+    own.enough = {};
     double seconds = 0.0;
-    const auto look_from = [&](const Eigen::VectorXd& start) {
+    const auto look_from = [&](const Eigen::VectorXd& start, const ExchangeOptions& how) {
         Feasibility found =
-            look(problem, elastic, other ? *other : *structured, start, own, options.tolerance, control);
+            look(problem, elastic, other ? *other : *structured, start, how, options.tolerance, control);
         seconds = found.seconds_solver += seconds;
         return found;
     };
-    own.enough = [&](const ExchangeResult& result) {
-        const double deepest = deep_enough * elastic.grid().cost(result.last.x);
-        const double enough = options.decides_only ? 0.0 : std::min(deep_inside, deepest);
-        return result.latest.x.size() > 0 && result.latest.objective <= enough;
-    };
-    own.tolerance = std::max(own.tolerance, first_look);
-    own.backend.tolerance = std::max(own.backend.tolerance, first_look);
-    const double inside = options.decides_only ? 0.0 : deep_inside;
-    Feasibility rough = look_from(begin);
-    // Where rows nearly depend on each other a point close to their equations may be far inside limits that
-    // no point on them satisfies.
-    if (rough.point.x.size() > 0 && rough.point.violation <= inside &&
-        missed_equations(problem.grid(), rough.point.x) <= options.tolerance)
-        return rough;
-    if (control.ending() || (options.decides_only && rough.proof && rough.proof->bound > options.tolerance))
-        return rough;
-    own.enough = {};
-    own.tolerance = options.tolerance;
-    own.backend.tolerance = options.backend.tolerance;
-    if (rough.proof) {
-        // Only the least violation is not known closely: where rounding hides it, rounds follow without end.
-        own.most_rounds = std::min(own.most_rounds, most_rounds_of_proved);
-        own.enough = [](const ExchangeResult& result) {
-            return result.last.termination == Termination::numerical_failure;
-        };
-    }
-    Feasibility found = look_from(begin);
-    if (!found.proof) keep_proof(found, std::move(rough), options.tolerance);
+    const Eigen::VectorXd begin = elastic.start();
+    Feasibility rough = look_from(begin, roughly(own, elastic));
+    const bool decided = options.decides_only && rough.proof && rough.proof->bound > options.tolerance;
+    if (is_inside(rough, problem, options) || decided || control.ending()) return rough;
+    Feasibility found = look_from(begin, rough.proof ? once_proved(own) : own);
+    keep_proof(found, std::move(rough), options.tolerance);
     const bool open = found.point.violation > options.tolerance && !found.proof;
     if (found.point.x.size() == 0 || !open || control.stopped()) return found;
-    own.tolerance *= second_look;
-    own.backend.tolerance *= second_look;
     Eigen::VectorXd start(found.point.x.size() + 1);
     start << found.point.x, found.point.violation;
-    Feasibility again = look_from(start);
+    Feasibility again = look_from(start, more_closely(own));
     if (again.point.violation <= options.tolerance) again.proof.reset();
     found.seconds_solver = seconds;
     if (again.point.x.size() > 0 && (again.proof || again.point.violation < found.point.violation))
