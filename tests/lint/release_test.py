@@ -27,6 +27,9 @@ def faults_of_release(root):
     release, texts = module(root / "scripts/release"), module(root / "scripts/license_texts")
     sys.path.insert(0, str(root / "tests/artefacts"))
     checks = module(root / "tests/artefacts/checks.py")
+    nightly = module(root / "scripts/nightly")
+    if [command.split()[1] for command in nightly.STEPS["release"][2]] != list(release.ARTEFACTS):
+        yield "scripts/nightly: the step release does not make each artefact in turn"
     for name in release.ARTEFACTS:
         if not hasattr(release.Release, f"build_{name}"):
             yield f"scripts/release: no build_{name}"
