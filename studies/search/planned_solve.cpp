@@ -64,21 +64,34 @@ Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSol
     return solution;
 }
 
-/// Where conditions nearly contradict, the smoothest of the optima may be one that doubles do not hold though
-/// they hold the first that was found: that one is delivered then.
-std::optional<Solution> without_tie_break(const Scene& scene, const Solution& solution,
-                                          const SolveControl& timed, bool explain) {
-    const bool held = !is_no_motion(solution.certificate.reason);
-    if (held || scene.objective.tie_break == TieBreak::none || timed.ending()) return std::nullopt;
-    Scene plain = scene;
-    plain.objective.tie_break = TieBreak::none;
-    Solution first = solve_and_audit(plain, timed, nullptr, {.explain = explain});
-    if (!first.motion || first.certificate.verdict == Verdict::failed) return std::nullopt;
-    first.scene.objective.tie_break = scene.objective.tie_break;
-    first.notes.emplace_back(
-        "no tie-break: double precision cannot represent the smoothest of the optima; this is another "
-        "optimum");
-    return first;
+/// Doubles may hold another optimum than the one that was found: the first, where conditions nearly
+/// contradict and the smoothest is none, or that of B-spline coefficients, which are smooth without
+/// conditions.
+std::optional<Solution> optimum_of_doubles(const Scene& scene, const Solution& solution,
+                                           const SolveControl& timed, bool explain) {
+    if (!is_no_motion(solution.certificate.reason)) return std::nullopt;
+    Scene other = scene;
+    const auto solved = [&](const char* note) -> std::optional<Solution> {
+        if (timed.ending()) return std::nullopt;
+        Solution found = solve_and_audit(other, timed, nullptr, {.explain = explain});
+        if (found.certificate.verdict == Verdict::failed) return std::nullopt;
+        found.scene.objective.tie_break = scene.objective.tie_break;
+        found.scene.spline.design = scene.spline.design;
+        found.notes.emplace_back(note);
+        return found;
+    };
+    if (scene.objective.tie_break != TieBreak::none) {
+        other.objective.tie_break = TieBreak::none;
+        if (auto found =
+                solved("no tie-break: double precision cannot represent the smoothest of the optima; "
+                       "this is another optimum"))
+            return found;
+    }
+    if (scene.spline.design != DesignKind::automatic) return std::nullopt;
+    other.spline.design = DesignKind::coefficients;
+    return solved(
+        "double precision cannot represent what was found for the states at the breakpoints; this "
+        "was found for B-spline coefficients");
 }
 
 /// What the clock ended depends on the machine: that must be told.
@@ -178,8 +191,8 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
     }
     const SolveControl timed = control.sooner(scene.solver.max_seconds);
     Solution solution = solve_and_audit(scene, timed, known, options);
-    if (std::optional<Solution> first = without_tie_break(scene, solution, timed, options.explain)) {
-        solution = std::move(*first);
+    if (std::optional<Solution> other = optimum_of_doubles(scene, solution, timed, options.explain)) {
+        solution = std::move(*other);
         if (known != nullptr) known->optima.withdraw();
     }
     if (known != nullptr) known->optima.settle(solution, known->number);

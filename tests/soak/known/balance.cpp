@@ -64,7 +64,7 @@ bool Balance::find(bool with_costs) {
     VectorXd wanted = VectorXd::Zero(freedom_ + sums);
     wanted.tail(sums).setOnes();
     const std::optional<VectorXd> found = balanced(a, wanted);
-    if (!found || !found->allFinite()) return false;
+    if (!found) return false;
     for (std::size_t j = 0; j < columns.size(); ++j) {
         const double multiplier = (*found)[static_cast<Index>(j)] * columns[j].scale;
         if (multiplier == 0.0) continue;

@@ -657,7 +657,9 @@ std::optional<KnownAnswer> answer_of(Draw& draw, const Question& question, Balan
         total += posing->total();
         closest = std::min(closest, posing->closest());
     }
-    KnownAnswer answer = balance.optimum(total, draw.sized(0.2, 5.0));
+    const double objective = draw.sized(0.2, 5.0);
+    if (!std::isfinite(objective / total)) return {};
+    KnownAnswer answer = balance.optimum(total, objective);
     if (closest < 1.0)
         widen(answer, closest);
     else if (!is_sharp(answer))
