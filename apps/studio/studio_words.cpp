@@ -10,8 +10,8 @@ namespace camopt::apps {
 namespace {
 
 // Tables whose key is not their name.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> named_tables = {
-    {{"dynamics", "follower train"}, {"reference", "reference values"}}};
+constexpr std::pair<std::string_view, std::string_view> named_tables[] = {{"dynamics", "follower train"},
+                                                                          {"reference", "reference values"}};
 
 /// What lies in its own table needs no other name: "keyway".
 std::string table_words(std::string_view table) {
@@ -19,7 +19,7 @@ std::string table_words(std::string_view table) {
     const std::string_view name = table.substr(table.rfind('.') + 1);
     const auto* const named =
         std::ranges::find(named_tables, name, [](const auto& one) { return one.first; });
-    return named == named_tables.end() ? words_of(name) : std::string(named->second);
+    return named == std::end(named_tables) ? words_of(name) : std::string(named->second);
 }
 
 bool ends_with_bound(std::string_view key, std::string_view bound, std::string& words) {

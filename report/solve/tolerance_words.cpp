@@ -55,8 +55,8 @@ std::vector<std::string> deciding_sentences(const ToleranceReport& report) {
 /// Which cam, from its name in rows: "the slope error at its upper end and the tolerance of the base radius
 /// at its lower end".
 std::string words_of_cam(const std::string& cam) {
-    constexpr std::array motions = {std::pair{"s''", "acceleration"}, std::pair{"s'", "slope"},
-                                    std::pair{"s", "profile"}};
+    constexpr std::pair<const char*, const char*> motions[] = {
+        {"s''", "acceleration"}, {"s'", "slope"}, {"s", "profile"}};
     std::vector<std::string> parts;
     for (std::size_t begin = 0; begin < cam.size();) {
         const std::size_t end = std::min(cam.find_first_of(" ,", begin), cam.size());
@@ -65,8 +65,8 @@ std::string words_of_cam(const std::string& cam) {
         const std::string word = cam.substr(begin, sign - begin), size = cam.substr(sign + 1, end - sign - 1);
         const auto* const motion =
             std::ranges::find(motions, word, [](const auto& one) { return one.first; });
-        const std::string name = motion != motions.end() ? std::string("the ") + motion->second + " error"
-                                                         : words_of_tolerance("tolerance." + word);
+        const std::string name = motion != std::end(motions) ? std::string("the ") + motion->second + " error"
+                                                             : words_of_tolerance("tolerance." + word);
         parts.push_back(fmt::format("{} at {}", name,
                                     size.empty() ? (cam[sign] == '+' ? "its upper end" : "its lower end")
                                                  : fmt::format("{}{} of it", cam[sign], size)));

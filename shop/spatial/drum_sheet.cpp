@@ -16,9 +16,8 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 using units::degree;
 
-constexpr int table_step = 5;  // deg
-constexpr std::array<int, 4> label_steps = {30, 45, 60,
-                                            90};  // deg, the first that leaves room for its labels
+constexpr int table_step = 5;                    // deg
+constexpr int label_steps[] = {30, 45, 60, 90};  // deg, the first that leaves room for its labels
 constexpr int line_angles = 721, section_heights = 9;
 constexpr double same_angle = 1e-9;      // rad
 constexpr double wall_of_drawing = 1.0;  // of half the groove's width: as the solid, where nothing says it
@@ -283,7 +282,7 @@ class DrumSheetMaker {
         add_lines("pitch", way);
         const auto has_room = [&](int step) { return body_.radius * step * degree > paper(label_width); };
         const auto* const chosen = std::ranges::find_if(label_steps, has_room);
-        const int label_step = chosen == label_steps.end() ? label_steps.back() : *chosen;
+        const int label_step = chosen == std::end(label_steps) ? std::end(label_steps)[-1] : *chosen;
         for (int alpha = 0; alpha <= 360; alpha += label_step) {
             const double x = body_.radius * alpha * degree;
             draw().line("datum", {x, -paper(tick)}, {x, alpha == 0 ? length() + paper(tick) : 0.0});

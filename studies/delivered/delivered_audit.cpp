@@ -34,6 +34,29 @@ std::vector<const SplineCurve*> curves_of(const Solution& solution) {
     return curves;
 }
 
+// Of the width of a segment: strokes are normalised by their own angle, and the objective is as wrong.
+constexpr double largest_rounding_of_width = 1e-8;
+
+/// Breakpoints of a program are rounded where they are along the cycle, however short the stroke.
+std::optional<Fault> breakpoint_fault(const Solution& solution) {
+    if (solution.scene.motion.type != MotionType::program) return {};
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
+    for (const SplineCurve* curve : curves_of(solution)) {
+        const SplineSpace& space = curve->space();
+        for (int i = 0; i < space.segments(); ++i) {
+            const double at = space.breakpoints()[i + 1];
+            const double lost = rounding * std::abs(at) / space.width(i);
+            if (lost <= largest_rounding_of_width) continue;
+            return Fault{
+                Reason::breakpoints_too_close,
+                fmt::format("the segment that ends at x = {:.10g} is so narrow that double precision "
+                            "gives its width to {:.2g} of it only",
+                            at, lost)};
+        }
+    }
+    return {};
+}
+
 std::optional<Fault> joint_fault(const Solution& solution) {
     JointJump worst;
     for (const SplineCurve* curve : curves_of(solution)) {
@@ -328,6 +351,7 @@ void audit_delivered(Solution& solution) {
             std::max(*certificate.gap, relative_gap(certificate.objective, *certificate.lower_bound));
     std::optional<Fault> fault = unbounded_fault(solution);
     if (!fault) fault = joint_fault(solution);
+    if (!fault) fault = breakpoint_fault(solution);
     for (const SplineCurve* curve : curves_of(solution))
         if (!fault) fault = coefficient_fault(*curve, solution.cam_peaks);
     if (!fault) fault = condition_fault(solution);
