@@ -87,7 +87,8 @@ std::optional<Solution> optimum_of_doubles(const Scene& scene, const Solution& s
                        "this is another optimum"))
             return found;
     }
-    if (scene.spline.design != DesignKind::automatic) return std::nullopt;
+    if (scene.spline.design != DesignKind::automatic || solution.design.kind != DesignKind::states)
+        return std::nullopt;
     other.spline.design = DesignKind::coefficients;
     return solved(
         "double precision cannot represent what was found for the states at the breakpoints; this "
