@@ -58,6 +58,14 @@ bool is_tilting(const Machine& machine) {
     return machine.axes().size() > 4;
 }
 
+/// True where the tool, from its place at one parameter to that at another, goes against its own path there:
+/// past the place where the path crosses itself.
+bool runs_back(const ToolPath& path, double from, double to) {
+    const double step = 1e-6 * (to - from);
+    const Eigen::Vector3d here = path(to).tip;
+    return (here - path(from).tip).dot(here - path(to - step).tip) < 0.0;
+}
+
 /// One pass of the task as poses, and what its check wants of it.
 NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const CuttingTask& task, bool arcs,
                     double& deviation) {
@@ -73,10 +81,15 @@ NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const Cuttin
     };
     arc_to_next(cut.in.arc);
     auto arc = blocks.arcs.begin();
+    std::optional<double> before;
     for (std::size_t i = 0; i < blocks.theta.size(); ++i) {
+        const double theta = blocks.theta[i];
         const bool round = arc != blocks.arcs.end() && arc->end == i;
         if (round) pass.arcs.push_back({pass.poses.size(), Eigen::Vector2d::Zero(), (arc++)->clockwise});
-        if (round || !cut.keep || cut.keep(blocks.theta[i])) pass.poses.push_back(cut.path(blocks.theta[i]));
+        if (!round && cut.keep && (!cut.keep(theta) || (before && runs_back(cut.path, *before, theta))))
+            continue;
+        pass.poses.push_back(cut.path(theta));
+        before = theta;
     }
     arc_to_next(cut.out.arc);
     pass.poses.insert(pass.poses.end(), cut.out.poses.begin(), cut.out.poses.end());

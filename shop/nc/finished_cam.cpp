@@ -146,7 +146,9 @@ constexpr double axis_rounding = 1e-9;  // of a unit vector
 constexpr int least_points = 16;
 // Between two corners the contour is farthest from its chord near the middle; looked at in these places.
 constexpr double looked_at[] = {0.25, 0.5, 0.75};
-constexpr double arc_share = 1.1;  // the largest of those three against the largest of all, with room
+constexpr double arc_share = 1.1;      // the largest of those three against the largest of all, with room
+constexpr double wanted_error = 2e-7;  // m, of an edge: below what lines of roughing are allowed
+constexpr int most_halvings = 6;
 
 constexpr std::size_t run_size = 32;     // edges that one circle encloses
 constexpr double rounding_room = 1e-12;  // of the size and the place of that circle
@@ -192,10 +194,12 @@ class PlaneCam final : public FinishedCam {
             const double begin = body.knots[k - 1], width = body.knots[k] - begin;
             const int pieces = std::max(1, static_cast<int>(std::ceil(body.points * width / length)));
             for (int i = 0; i < pieces; ++i)
-                add_edge(body.contour, begin + width * i / pieces, begin + width * (i + 1) / pieces);
+                add_edge(body.contour, begin + width * i / pieces, begin + width * (i + 1) / pieces,
+                         most_halvings);
         }
         const Eigen::Vector2d first = edges_.front().from, last = body.contour(body.knots.back()).position;
-        add_chord(last, first);  // of no length where the contour closes
+        if (const double square = (first - last).squaredNorm(); square > 0.0)  // the contour does not close
+            edges_.push_back({last, first - last, 1.0 / square});
         for (std::size_t i = 0; i < edges_.size(); i += run_size)
             runs_.emplace_back(
                 std::span<const Edge>(edges_).subspan(i, std::min(run_size, edges_.size() - i)));
@@ -215,17 +219,23 @@ class PlaneCam final : public FinishedCam {
     }
 
  private:
-    void add_chord(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-        const double square = (to - from).squaredNorm();
-        if (square > 0.0) edges_.push_back({from, to - from, 1.0 / square});
-    }
-    void add_edge(const PlaneContour& contour, double begin, double end) {
+    void add_edge(const PlaneContour& contour, double begin, double end, int halvings) {
         const Eigen::Vector2d from = contour(begin).position, to = contour(end).position;
-        add_chord(from, to);
+        const double square = (to - from).squaredNorm();
+        const Edge edge{from, to - from, square > 0.0 ? 1.0 / square : 0.0};
+        double error = 0.0;
         for (const double share : looked_at) {
             const Eigen::Vector2d point = contour(begin + share * (end - begin)).position;
-            error_ = std::max(error_, arc_share * edges_.back().way_from(point).norm());
+            error = std::max(error, arc_share * edge.way_from(point).norm());
         }
+        if (error > wanted_error && halvings > 0) {
+            const double middle = 0.5 * (begin + end);
+            add_edge(contour, begin, middle, halvings - 1);
+            add_edge(contour, middle, end, halvings - 1);
+            return;
+        }
+        if (square > 0.0) edges_.push_back(edge);
+        error_ = std::max(error_, error);
     }
     /// To the cam's nearest point. The run of the last point first: points follow one another.
     [[nodiscard]] Eigen::Vector2d way_from(const Eigen::Vector2d& point) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shop/nc/milling/plane_passes.hpp"
 
+#include "shop/nc/milling/offset_line.hpp"
+
 #include <fmt/format.h>
 
 namespace camopt {
@@ -9,10 +11,8 @@ namespace {
 
 constexpr int contour_samples = 1440;   // around the contour, for its extent
 constexpr double same_knot = 1e-6;      // rad: two knots nearer than that are one
-constexpr double kept_within = 1e-6;    // m: what a ring may be nearer to the cam than it is told
 constexpr double beyond_safe = 1e-4;    // m: so that printed digits do not matter
 constexpr double shortest_line = 1e-3;  // m, of the way in; under compensation beside the cutter's radius
-constexpr double far_below = -1e3;      // m: no matter how thick the cam is
 
 Eigen::Vector2d left(const Eigen::Vector2d& v) {
     return {-v.y(), v.x()};
@@ -122,7 +122,7 @@ class PlanePassMaker {
     }
     /// Of a circle of this radius in the contour.
     [[nodiscard]] double depth(const Eigen::Vector2d& center, double radius) const {
-        return milling_.cam->depth({{center.x(), center.y(), far_below}, -Eigen::Vector3d::UnitZ()}, radius);
+        return depth_in_plane(*milling_.cam, center, radius);
     }
 
     [[nodiscard]] double height() const { return milling_.blank.upper - milling_.cutter.bottom; }
@@ -210,11 +210,8 @@ class PlanePassMaker {
         cut.roughs = true;
         cut.stock = milling_.cutter.stock + allowance_;
         cut.chord_tolerance = tolerance;
-        cut.keep = [this_path = cut.path, cam = milling_.cam, reach = radius_ + offset](double u) {
-            ToolPose pose = this_path(u);
-            pose.tip.z() = far_below;
-            return cam->depth(pose, reach) <= kept_within;
-        };
+        cut.keep = ends_of_offset([round = round_](double u) { return round.at(u); }, radius_ + offset,
+                                  cut.knots.back(), milling_.cam);
         return cut;
     }
 

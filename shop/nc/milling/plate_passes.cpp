@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "shop/nc/milling/plate_passes.hpp"
 
+#include "shop/nc/milling/offset_line.hpp"
+
 #include <fmt/format.h>
 
 namespace camopt {
 
 namespace {
 
-constexpr int surface_samples = 1440;      // along the surface, for its extent and for runs
-constexpr double allowed_inside = 1e-6;    // m: what a line may be nearer to the plate than it is told
-constexpr double beside_safe = 1e-4;       // m: so that printed digits do not matter
-constexpr double switching_way = 1e-3;     // m: of the block that switches compensation, beside the cutter
-constexpr double below_everything = -1e3;  // m: no matter how thick the plate is
-constexpr double one_knot = 1e-6;          // of the path: two knots nearer than that are one
+constexpr int surface_samples = 1440;   // along the surface, for its extent and for runs
+constexpr double beside_safe = 1e-4;    // m: so that printed digits do not matter
+constexpr double switching_way = 1e-3;  // m: of the block that switches compensation, beside the cutter
+constexpr double one_knot = 1e-6;       // of the path: two knots nearer than that are one
 
 /// The surface as the tool runs along it, and on along its end tangents: v ascends, in the units of the
 /// knots.
@@ -107,9 +107,7 @@ class PlatePassMaker {
         double most = 0.0;
         for (int k = 0; k <= surface_samples; ++k) {
             const double x = block.min().x() + block.sizes().x() * k / surface_samples;
-            most =
-                std::max(most, -milling_.cam->depth(
-                                   {{x, block.max().y(), below_everything}, -Eigen::Vector3d::UnitZ()}, 0.0));
+            most = std::max(most, -depth_in_plane(*milling_.cam, {x, block.max().y()}, 0.0));
         }
         return most;
     }
@@ -174,11 +172,8 @@ class PlatePassMaker {
         cut.roughs = true;
         cut.stock = milling_.cutter.stock + allowance_;
         cut.chord_tolerance = tolerance;
-        cut.keep = [this_path = cut.path, cam = milling_.cam, reach = radius_ + offset](double v) {
-            ToolPose pose = this_path(v);
-            pose.tip.z() = below_everything;
-            return cam->depth(pose, reach) <= allowed_inside;
-        };
+        cut.keep = ends_of_offset([surface = surface_](double v) { return surface.at(v); }, radius_ + offset,
+                                  cut.knots.back() - cut.knots.front(), milling_.cam);
         return cut;
     }
 
