@@ -148,7 +148,7 @@ constexpr int least_points = 16;
 constexpr double looked_at[] = {0.25, 0.5, 0.75};
 constexpr double arc_share = 1.1;      // the largest of those three against the largest of all, with room
 constexpr double wanted_error = 2e-7;  // m, of an edge: below what lines of roughing are allowed
-constexpr int most_halvings = 6;
+constexpr int halvings_of_edge = 6;
 
 constexpr std::size_t run_size = 32;     // edges that one circle encloses
 constexpr double rounding_room = 1e-12;  // of the size and the place of that circle
@@ -195,7 +195,7 @@ class PlaneCam final : public FinishedCam {
             const int pieces = std::max(1, static_cast<int>(std::ceil(body.points * width / length)));
             for (int i = 0; i < pieces; ++i)
                 add_edge(body.contour, begin + width * i / pieces, begin + width * (i + 1) / pieces,
-                         most_halvings);
+                         halvings_of_edge);
         }
         const Eigen::Vector2d first = edges_.front().from, last = body.contour(body.knots.back()).position;
         if (const double square = (first - last).squaredNorm(); square > 0.0)  // the contour does not close

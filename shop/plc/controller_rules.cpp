@@ -76,7 +76,16 @@ namespace {
 
 constexpr double profile_dwell = 2, profile_poly5 = 5;
 
-/// Pieces that end where they began, cut in two: the same polynomial twice.
+/// True where no more than rounding moves: what a solver leaves of a stretch at rest.
+bool rests_but_for_rounding(const PolynomialPiece& piece, double lift) {
+    constexpr double rounding = 1e-12;  // of the lift
+    double most = 0.0, power = 1.0;
+    for (int k = 1; k <= piece.degree(); ++k)
+        most += std::abs(piece.coefficients[k]) * (power *= piece.end - piece.begin);
+    return most <= rounding * lift;
+}
+
+/// Pieces that end where they began: dwells, or cut in two, the same polynomial twice.
 std::vector<PolynomialPiece> cut_where_they_return(const MasterCurve& curve,
                                                    const std::vector<PolynomialPiece>& fitted) {
     constexpr double no_change = 1e-6;      // of the lift
@@ -84,7 +93,11 @@ std::vector<PolynomialPiece> cut_where_they_return(const MasterCurve& curve,
     std::vector<PolynomialPiece> pieces;
     for (const PolynomialPiece& piece : fitted) {
         const double change = value_of(piece, piece.end) - value_of(piece, piece.begin);
-        if (std::abs(change) > no_change * curve.lift() || rests_throughout(piece)) {
+        if (rests_but_for_rounding(piece, curve.lift())) {
+            pieces.push_back({piece.begin, piece.end, {piece.coefficients[0]}});
+            continue;
+        }
+        if (std::abs(change) > no_change * curve.lift()) {
             pieces.push_back(piece);
             continue;
         }

@@ -5,9 +5,9 @@ namespace camopt {
 
 namespace {
 
-constexpr double kept_within = 1e-6;  // m: what a line may be nearer to the cam than it is told
-constexpr double far_below = -1e3;    // m
-constexpr double small_step = 1e-6;   // of the surface
+constexpr double kept_within = 1e-6;      // m: what a line may be nearer to the cam than it is told
+constexpr double far_below = -1e3;        // m
+constexpr double step_of_surface = 1e-6;  // of the surface
 
 }  // namespace
 
@@ -16,7 +16,7 @@ double depth_in_plane(FinishedCam& cam, const Eigen::Vector2d& center, double ra
 }
 
 std::function<bool(double)> ends_of_offset(PlaneContour surface, double d, double span, FinishedCam* cam) {
-    return [surface = std::move(surface), d, step = small_step * span, cam](double v) {
+    return [surface = std::move(surface), d, step = step_of_surface * span, cam](double v) {
         const ContourPoint here = surface(v);
         if (depth_in_plane(*cam, here.position + d * here.normal, d) > kept_within) return false;
         const ContourPoint before = surface(v - step), after = surface(v + step);

@@ -280,6 +280,19 @@ TEST(PlcExport, SomeFormatsHoldDegreeSeven) {
     }
 }
 
+// What a solver leaves of a stretch at rest: an element of degree 5 must not end where it began.
+TEST(PlcExport, SiemensRestsWhereOnlyRoundingMoves) {
+    Solution solution = test::sample_solution();
+    const auto rounding = std::make_shared<SplineCurve>(
+        SplineSpace(3, 2, {0.0, 1.0}), (Eigen::VectorXd(4) << 0, 1e-16, -2e-16, 1e-16).finished());
+    const auto rise = std::make_shared<SplineCurve>(*solution.curve);
+    solution.motion = std::make_shared<MotionChain>(std::vector<ChainPart>{
+        {0.0, 0.5, rise, 0.0, 0.5, 0.0, 1.0}, {0.5, 1.0, rounding, 0.5, 0.5, 1.0, 1.0}});
+    const PlcExport exported = plc_export(solution, {"siemens"}, {});
+    EXPECT_TRUE(exported.results[0].lossless);
+    EXPECT_NE(exported.files[0].text.find("camProfile[5].camProfileType := 2;"), std::string::npos);
+}
+
 TEST(PlcExport, RefusesByName) {
     const Solution solution = test::sample_solution();
     EXPECT_EQ(
