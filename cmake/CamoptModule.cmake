@@ -2,7 +2,7 @@
 # camopt_add_module(<folder> [COLD] SOURCES … HEADERS … [PUBLIC …] [PRIVATE …])
 # One library a folder, camopt::<folder>, with its headers beside its sources. PUBLIC are the folders
 # and packages its headers include, PRIVATE those only its sources need. COLD: read and write, words and pictures, where no
-# time goes: compiled with -O1 in Release, in four fifths of the time.
+# time goes: compiled with -O1 in Release, in four fifths of the time; for pages as small as can be.
 
 # Where <camopt/….hpp> are written, what is promised to embedders (include/promised_headers.cmake).
 set(camopt_promised_dir ${PROJECT_BINARY_DIR}/include)
@@ -55,8 +55,11 @@ function(camopt_header_only target result)
   endif()
 endfunction()
 
+if(NOT DEFINED camopt_cold_level)  # a toolchain may
+  set(camopt_cold_level -O1)
+endif()
 # g++ 12 sees numbers without a value where -O1 has not followed them.
-set(camopt_cold_options $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
+set(camopt_cold_options $<$<CONFIG:Release>:${camopt_cold_level};-Wno-maybe-uninitialized>)
 function(camopt_cold target)
   target_compile_options(${target} PRIVATE ${camopt_cold_options})
 endfunction()

@@ -12,6 +12,8 @@ find_program(CMAKE_RANLIB NAMES llvm-ranlib-22 llvm-ranlib-14 llvm-ranlib REQUIR
 # The shims come before the C++ library's headers. Some names of warnings are g++'s.
 set(CMAKE_CXX_FLAGS_INIT
   "-Wno-deprecated -Wno-unknown-warning-option -fwasm-exceptions -msimd128 -isystem ${CMAKE_CURRENT_LIST_DIR}/wasm/include")
+# A page is downloaded: where no time goes, code is small (camopt_cold).
+set(camopt_cold_level -Oz)
 # The C++ library is compiled without exceptions: what it lacks comes before it.
 set(CMAKE_CXX_STANDARD_LIBRARIES "-L${CAMOPT_WASM_RUNTIME} -lcamopt_runtime")
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY NEVER)

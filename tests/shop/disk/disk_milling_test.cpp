@@ -22,10 +22,10 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double millimetre = 1e-3;
 
 /// 50 mm and six waves of 4 mm, hollows of 21.6 mm; or a circle. Its cam angle runs either way.
-ProfileShape waves(double wave, bool clockwise = false) {
+ProfileShape waves(double wave, bool clockwise = false, double r = 50.0 * millimetre) {
     ProfileShape shape;
-    shape.at = [wave, clockwise](double theta) {
-        const double way = clockwise ? -theta : theta, r = 50.0 * millimetre;
+    shape.at = [wave, clockwise, r](double theta) {
+        const double way = clockwise ? -theta : theta;
         const double radius = r + wave * std::cos(6.0 * way), slope = -6.0 * wave * std::sin(6.0 * way);
         const Eigen::Vector2d out(std::cos(way), std::sin(way)), along(-out.y(), out.x());
         MechanismPoint point;
@@ -124,6 +124,27 @@ TEST(DiskMilling, CrossingRingsLeaveAllowance) {
     const Milled milled(waves(4.0 * millimetre), options);
     EXPECT_EQ(milled.program.fault(), "");
     EXPECT_GT(milled.program.roughed[0].check.least_stock, 0.3 * millimetre - 1e-6);
+}
+
+// Where the roughing ring's offset is just larger than a hollow, it runs back a little without a gouge.
+TEST(DiskMilling, RoughingNeverRunsBackInHollows) {
+    const double hollow = 46.0 * 46.0 / 98.0 * millimetre;  // r² / (r'' − r) where r = 46, r'' = 144
+    for (const double beyond : {-0.02, 0.0, 0.02, 0.05, 0.1, 0.2}) {
+        SCOPED_TRACE(beyond);
+        DiskNcOptions options = coarse_roughing(20.0 * millimetre);
+        options.milling.finish_allowance = 0.5 * millimetre;
+        options.cutter_diameter = 2.0 * (hollow + (beyond - 0.5) * millimetre);
+        const Milled milled(waves(4.0 * millimetre), options);
+        EXPECT_EQ(milled.program.fault(), "");
+        EXPECT_EQ(milled.program.direction.conventional, 0);
+    }
+}
+
+// A cam as large as a table: the polygon of the finished cam is as fine as that of a small one.
+TEST(DiskMilling, RoughsLargeCams) {
+    const Milled milled(waves(4.0 * millimetre, false, 2.0), coarse_roughing(6.0 * millimetre));
+    EXPECT_EQ(milled.program.fault(), "");
+    EXPECT_LT(milled.program.roughed[0].check.stock, 0.4 * millimetre);
 }
 
 /// Part of the feed path along which the cutter does not reach the blank from the side.

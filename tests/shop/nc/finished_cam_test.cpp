@@ -41,6 +41,21 @@ TEST(FinishedPlaneCam, DepthOutsideAboveAndInside) {
     EXPECT_GT(cam->depth(leaning, radius), 1.0);  // it is not known how deep: too deep
 }
 
+// A cutter that touches stands no deeper than lines of roughing allow, no matter how large the cam is.
+TEST(FinishedPlaneCam, PolygonIsFineOnLargeCams) {
+    const auto cam = plane_finished_cam({[](double theta) {
+                                             const Eigen::Vector2d out(std::cos(theta), std::sin(theta));
+                                             return ContourPoint{3.0 * out, out};
+                                         },
+                                         {0.0, test::full_turn}});
+    for (const double theta : test::even(0.0, test::full_turn, 500)) {
+        const double reach = 3.006;
+        const ToolPose touching{{reach * std::cos(theta), reach * std::sin(theta), -0.02}, down};
+        EXPECT_GE(cam->depth(touching, 6.0 * millimetre), -1e-12);
+        EXPECT_LT(cam->depth(touching, 6.0 * millimetre), 4e-7);
+    }
+}
+
 TEST(FinishedPlaneCam, RefusesWhatIsNone) {
     EXPECT_THROW(static_cast<void>(plane_finished_cam({circle, {0.0}})), InputError);
     EXPECT_THROW(static_cast<void>(plane_finished_cam({circle, {0.0, 1.0}, 0.0, 3})), InputError);
