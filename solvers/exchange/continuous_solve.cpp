@@ -114,6 +114,23 @@ void deliver(ContinuousResult& result, const Candidate& point) {
         result.certificate.gap = relative_gap(point.objective, *result.certificate.lower_bound);
 }
 
+/// Goes on with the exchange from the delivered point, to these tolerances; delivers what `choice` takes of
+/// what it finds, if anything, and tries its multipliers.
+template <class Choice>
+void go_on(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
+           const ExchangeOptions& closer, const SolveControl& control, const Choice& choice) {
+    const Certificate& certificate = result.certificate;
+    const Candidate now{result.x, certificate.objective, certificate.worst_violation};
+    const ExchangeResult found = minimize_by_exchange(problem, solver, now, closer, control);
+    result.exchange.rounds += found.rounds;
+    result.exchange.iterations += found.iterations;
+    result.exchange.seconds_solver += found.seconds_solver;
+    const Candidate point = choice(found, now);
+    if (point.x.size() > 0) deliver(result, point);
+    if (found.last.row_multipliers)
+        try_proof(result, problem, *found.last.row_multipliers, found.last.x, std::string(solver.name()));
+}
+
 /// Closes a gap that the repair has left.
 void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
                  const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control,
@@ -126,16 +143,35 @@ void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Sol
         ExchangeOptions closer = exchange;
         closer.tolerance *= part;
         closer.backend.tolerance *= part;
-        const Candidate now{result.x, certificate.objective, certificate.worst_violation};
-        const ExchangeResult found = minimize_by_exchange(problem, solver, now, closer, control);
-        result.exchange.rounds += found.rounds;
-        result.exchange.iterations += found.iterations;
-        result.exchange.seconds_solver += found.seconds_solver;
-        const Candidate better = points.repaired(problem, found);
-        if (better.x.size() > 0 && is_better(better, now, judge.tolerance)) deliver(result, better);
-        if (found.last.row_multipliers)
-            try_proof(result, problem, *found.last.row_multipliers, found.last.x, std::string(solver.name()));
+        go_on(result, problem, solver, closer, control,
+              [&](const ExchangeResult& found, const Candidate& now) {
+                  const Candidate better = points.repaired(problem, found);
+                  return is_better(better, now, judge.tolerance) ? better : Candidate{};
+              });
     }
+}
+
+/// Where the repair of a violation that is rounding is dear, the point was left as it was found, and its
+/// objective may be below the optimum by the violation times the condition of the scene: the exchange goes on
+/// until its rows hold the limits themselves.
+void hold_limits(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
+                 ExchangeOptions exchange, const JudgeOptions& judge, const SolveControl& control,
+                 const Candidate& inside) {
+    constexpr double part = 1e-3;
+    constexpr int few_rounds = 4;
+    const Certificate& before = result.certificate;
+    const bool kept = before.worst_violation > 0.0 && before.worst_violation <= rounding_of_limits;
+    if (!kept || !(inside.violation < 0.0) || !problem.convex(before.objective) || control.ending()) return;
+    exchange.tolerance = part * before.worst_violation;
+    exchange.backend.tolerance *= closer_parts.back();
+    exchange.most_rounds = few_rounds;
+    ContinuousResult held = result;
+    go_on(held, problem, solver, exchange, control, [&](const ExchangeResult& found, const Candidate& now) {
+        const Candidate latest = pulled_inside(problem, found.latest, inside);
+        return latest.violation < now.violation ? latest : Candidate{};
+    });
+    const bool holds = held.certificate.worst_violation < before.worst_violation;
+    if (holds && is_closed(held.certificate, judge)) result = std::move(held);
 }
 
 /// Once more with multipliers that are balanced to rounding.
@@ -277,6 +313,7 @@ ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, cons
         sharpen_proof(result, judge);
         come_closer(result, problem, solver, exchange, judge, control, points);
         sharpen_proof(result, judge);
+        hold_limits(result, problem, solver, exchange, judge, control, first.inside);
         use_tolerance(result, problem, points.found, exchange, judge, control);
         const bool had_bound = result.certificate.lower_bound.has_value();
         settle_passed_bound(result, problem, exchange, judge, control);
