@@ -275,6 +275,17 @@ Eigen::VectorXd SplineCurve::coefficients() const {
     return result;
 }
 
+namespace {
+
+/// T_d^(r)(1) (2 / h)^r = Π_{k < r} (d² − k²) / (2 k + 1) · 2 / h.
+double markov_factor(int degree, int order, double width) {
+    double factor = 1.0;
+    for (int k = 0; k < order; ++k) factor *= (degree * degree - k * k) / (2.0 * k + 1.0) * 2.0 / width;
+    return factor;
+}
+
+}  // namespace
+
 Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& known) {
     const int p = space.degree();
     const double length = space.end() - space.begin();
@@ -286,14 +297,13 @@ Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& k
         sup[r - 1] = std::min({sup[r - 1], ends + 0.5 * length * sup[r], farther + length * known.rms[r]});
     }
     Eigen::MatrixXd bounds(p + 1, space.segments());
-    for (int i = 0; i < space.segments(); ++i) {
-        double below = infinity;
+    for (int i = 0; i < space.segments(); ++i)
         for (int m = 0; m <= p; ++m) {
-            const double markov = 2.0 * (p - m + 1) * (p - m + 1) / space.width(i) * below;
-            below = std::min(m <= 3 ? sup[m] : infinity, m > 0 ? markov : infinity);
-            bounds(m, i) = below;
+            double least = m <= 3 ? sup[m] : infinity;
+            for (int r = 0; r < m; ++r)
+                least = std::min(least, bounds(r, i) * markov_factor(p - r, m - r, space.width(i)));
+            bounds(m, i) = least;
         }
-    }
     return bounds;
 }
 

@@ -116,8 +116,9 @@ class SplineCurve final : public Motion {
 // Bounds on the derivatives of a spline from bounds on some of them.
 //
 // Lower derivatives by integration from either end, where the end states are known: |y^{(r-1)}| <= |end
-// value| + L B_r / 2 (from the nearer end). Higher ones by Markov's inequality on each segment of width h: a
-// polynomial of degree d with |p| <= B has |p'| <= 2 d² B / h. The mean square of y^{(r)} bounds y^{(r-1)} by
+// value| + L B_r / 2 (from the nearer end). Higher ones by V. A. Markov's inequality (1892) on each segment
+// of width h: a polynomial of degree d with |p| <= B has |p^(r)| <= T_d^(r)(1) (2 / h)^r B, T_d the Chebyshev
+// polynomial, T_d^(r)(1) = Π_{k < r} (d² − k²) / (2 k + 1). The mean square of y^{(r)} bounds y^{(r-1)} by
 // the Cauchy–Schwarz inequality: |y^{(r-1)}| <= |end value| + L rms.
 
 struct KnownBounds {

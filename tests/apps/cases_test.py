@@ -36,6 +36,8 @@ ROWS = [
     ('solve tiny_stroke.toml --set spline.design="coefficients"', 1, {"verdict": "failed", "reason": "breakpoints_too_close"},
      ["so narrow that double precision gives its width to"], []),
     ("machine machine_seam/machine.toml", 0, {"verdict": "optimal", "objective": (0.45882117063255179, 1e-8)}, [], []),
+    ("machine machine_dear_repair/machine.toml", 0, {"verdict": "optimal", "objective": (0.31809762916107315, 1e-9)}, [], []),
+    ("solve infeasible_unbounded_motion.toml --set solver.explain_seconds=0", 3, {"verdict": "infeasible"}, [], []),
     ("machine machine_wide_boxes/machine.toml", 3, {"verdict": "infeasible"}, ["No motions exist at 38 rpm: proved"], []),
     # The die alone: 60 rpm at 2.89424 m/s^2, thus 111.528 rpm at 10 m/s^2.
     ("machine 55c_press.toml", 0, {"verdict": "optimal", "speed_rpm": (111.528, 0.06), "impossible_above_rpm": (111.528, 0.06)}, [], []),

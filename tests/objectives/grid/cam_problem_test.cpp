@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -300,6 +301,30 @@ TEST(CurveBounds, MarkovAndIntegrationBoundRandomPolynomials) {
                               bounds(r, space.segment_of(x)) * (1.0 + 1e-9));
                 }
             }
+        }
+    }
+}
+
+// T_d on one segment reaches the bound of each of its derivatives at the segment's end.
+TEST(CurveBounds, ChebyshevPolynomialsReachThem) {
+    constexpr double none = std::numeric_limits<double>::infinity(), width = 0.4;
+    const std::map<int, std::vector<double>> chebyshev = {
+        {3, {0, -3, 0, 4}}, {5, {0, 5, 0, -20, 0, 16}}, {7, {0, -7, 0, 56, 0, -112, 0, 64}}};
+    for (const auto& [degree, c] : chebyshev) {
+        SCOPED_TRACE(degree);
+        const SplineSpace space(degree, degree - 1, {0.0, width});
+        const Eigen::MatrixXd bounds = derivative_bounds(
+            space,
+            {{1.0, none, none, none}, {none, none, none, none}, {none, none, none}, {none, none, none}});
+        double scale = 1.0;  // d/dx of a polynomial of u = 2 x / width − 1, whose end is u = 1
+        for (int r = 0; r <= degree; ++r, scale *= 2.0 / width) {
+            double at_end = 0.0;
+            for (int k = r; k <= degree; ++k) {
+                double factor = c[static_cast<std::size_t>(k)];
+                for (int i = 0; i < r; ++i) factor *= k - i;
+                at_end += factor;
+            }
+            EXPECT_NEAR(bounds(r, 0) / (at_end * scale), 1.0, 1e-12) << r;
         }
     }
 }
