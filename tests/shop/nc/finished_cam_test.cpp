@@ -42,7 +42,7 @@ TEST(FinishedPlaneCam, DepthOutsideAboveAndInside) {
 }
 
 // A cutter that touches stands no deeper than lines of roughing allow, no matter how large the cam is.
-TEST(FinishedPlaneCam, PolygonIsFineOnLargeCams) {
+TEST(FinishedPlaneCam, LargePolygonsAreFine) {
     const auto cam = plane_finished_cam({[](double theta) {
                                              const Eigen::Vector2d out(std::cos(theta), std::sin(theta));
                                              return ContourPoint{3.0 * out, out};
