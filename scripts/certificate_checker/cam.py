@@ -222,7 +222,7 @@ class Cam:
             function = {j: sign * w for j, w in run.cam_space.functional(at, 1, side).items()}
             return Row(name, k, function, self.width[1] * self.beta[1] / self.lift), \
                 self.lift / self.width[1] / number(float(self.beta[0]))
-        if not self.direct and self.searched:
+        if self.kind in ("remote", "inverse") and self.searched:
             return None
         for formula in self.formulas_at(origin, at)[:1]:
             row = self.linear_row(bound, k, run, name, formula, at, side)
@@ -232,7 +232,7 @@ class Cam:
     def linear_row(self, bound, k, run, name, formula, at, side):
         """A rule whose slopes are the same all over a box is linear; None where they differ."""
         box = [enclosures.interval(Fraction(-1), Fraction(1))] * 3 + [(0, 0)] + [(-enclosures.ONE, enclosures.ONE)] * len(self.searched)
-        if self.searched and self.rules.dimensions.get("offset"):
+        if self.direct and self.searched and self.rules.dimensions.get("offset"):
             base, roller, offset = (self.tangent_size(size) for size in ("base_radius", "roller_radius", "offset"))
             self.rules.tangent_at = base + roller, offset
             if None in self.sizes.values():
@@ -432,7 +432,7 @@ class Cam:
 
     def row_size(self):
         """What rows of arms and of cams in space are divided by beyond the formulas here."""
-        return Fraction(1) if self.direct else self.rules.sizes["center_distance"]
+        return Fraction(1) if self.direct else middle_size(self.rules.sizes["center_distance"])
 
     def displacements(self, bound, k, at):
         """What the cam's displacement can be at a place."""

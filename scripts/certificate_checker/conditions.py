@@ -16,9 +16,9 @@ IMPLIED = REST, AT_LIMIT  # these follow from inequalities alone; camopt leaves 
 class Conditions:
     """The conditions of a run solved for as many control points: each is then a function of the others. Redundant ones
     drop out, and so does what differs from others by rounding (camopt leaves it out too, and no bound is the worse for it);
-    contradictions are the proof that there is no motion."""
+    contradictions are the proof that there is no motion. `errors`: to what each control point is known, where they differ."""
 
-    def __init__(self, rows):
+    def __init__(self, rows, errors=None):
         self.rows = {}  # control point: (row of the others, value)
         self.contradiction = self.rounding = None  # (name, by how much)
         for row, value, name in rows:
@@ -30,7 +30,7 @@ class Conditions:
                 elif value and abs(value) <= STATED:
                     self.rounding = (name, abs(value))
                 continue
-            pivot = max(row, key=lambda j: abs(row[j]))
+            pivot = max(row, key=lambda j: abs(row[j]) * (errors[j] if errors and j >= 0 else 1))
             weight = row.pop(pivot)
             row, value = {j: w / weight for j, w in row.items()}, value / weight
             for other in self.rows:  # nothing solved for stands in another's row

@@ -16,7 +16,7 @@ from .motion_bounds import keep_bounds, lost_area
 from .laws import is_same
 from .prescribed import peak_of
 from .rational import Fraction
-from .spaces import Space, cam_of, output_of
+from .spaces import cam_of, output_of
 from .strokes import stroke_of
 
 
@@ -114,9 +114,9 @@ class Curve:
         So the conditions are solved for control points of that derivative, which weigh little where segments are
         narrow."""
         space, top, conditions = run.space, run.top(), run.conditions_in_top()
-        own = Space(space.degree - top, space.continuity - top, space.breakpoints)
+        own = run.space_of_top()
         values = [derivative(delivered[0], order)[0] for order in range(top)]
-        values += own.control_points(points, [derivative(piece, top) for piece in delivered])
+        values += own.control_points(points, [derivative(piece, top) for piece in delivered], top)
         values = conditions.completed(values)
         control = values[top:]
         for order in range(top, 0, -1):

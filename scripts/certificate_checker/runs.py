@@ -7,6 +7,7 @@ Theorem. A `Row` is an inequality, function . c + searched . dimensions - peak <
 from .conditions import Conditions
 from .exact import ORDERS, add_to
 from .rational import Fraction
+from .spaces import Space
 
 
 class Stretch:
@@ -80,8 +81,14 @@ class Run:
             starts.append(start)
         return {j: w for j, w in enumerate(starts + weights) if w} | {j: w for j, w in row.items() if j < 0}
 
+    def space_of_top(self):
+        return Space(self.space.degree - self.top(), self.space.continuity - self.top(), self.space.breakpoints)
+
     def conditions_in_top(self):
-        return Conditions([(self.in_top(row), value, name) for row, value, name in self.conditions])
+        """Solved for what is known least: the others tell most of it."""
+        known = [1 / self.space.width(0)**order for order in range(self.top())]
+        known += [error for error, _ in self.space_of_top().best_pieces(self.top())]
+        return Conditions([(self.in_top(row), value, name) for row, value, name in self.conditions], known)
 
     def demand(self, x, order, side, value, name):
         """`value`: a number, or a function of displacements that are free (Problem.level_at)."""

@@ -151,29 +151,6 @@ void come_closer(ContinuousResult& result, ContinuousProblem& problem, const Sol
     }
 }
 
-/// Where the repair of a violation that is rounding is dear, the point was left as it was found, and its
-/// objective may be below the optimum by the violation times the condition of the scene: the exchange goes on
-/// until its rows hold the limits themselves.
-void hold_limits(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
-                 ExchangeOptions exchange, const JudgeOptions& judge, const SolveControl& control,
-                 const Candidate& inside) {
-    constexpr double part = 1e-3;
-    constexpr int few_rounds = 4;
-    const Certificate& before = result.certificate;
-    const bool kept = before.worst_violation > 0.0 && before.worst_violation <= rounding_of_limits;
-    if (!kept || !(inside.violation < 0.0) || !problem.convex(before.objective) || control.ending()) return;
-    exchange.tolerance = part * before.worst_violation;
-    exchange.backend.tolerance *= closer_parts.back();
-    exchange.most_rounds = few_rounds;
-    ContinuousResult held = result;
-    go_on(held, problem, solver, exchange, control, [&](const ExchangeResult& found, const Candidate& now) {
-        const Candidate latest = pulled_inside(problem, found.latest, inside);
-        return latest.violation < now.violation ? latest : Candidate{};
-    });
-    const bool holds = held.certificate.worst_violation < before.worst_violation;
-    if (holds && is_closed(held.certificate, judge)) result = std::move(held);
-}
-
 /// Once more with multipliers that are balanced to rounding.
 void sharpen_proof(ContinuousResult& result, const JudgeOptions& judge) {
     Certificate& certificate = result.certificate;
@@ -293,6 +270,33 @@ void use_tolerance(ContinuousResult& result, ContinuousProblem& problem, const C
     if (is_closed(tried.certificate, judge)) result = std::move(tried);
 }
 
+/// Where the repair of a violation is dear, the point was left as it was found, and its objective may be
+/// below the optimum by the violation times the condition of the scene: the exchange goes on until its rows
+/// hold the limits themselves.
+void hold_limits(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
+                 ExchangeOptions exchange, const JudgeOptions& judge, const SolveControl& control,
+                 const Candidate& inside) {
+    constexpr double part = 1e-2;
+    constexpr int few_rounds = 8;
+    const Certificate& before = result.certificate;
+    const bool kept = before.worst_violation > 0.0 && is_closed(before, judge);
+    if (!kept || !problem.convex(before.objective) || control.ending()) return;
+    exchange.tolerance = 0.1 * part * before.worst_violation;
+    exchange.backend.tolerance *= closer_parts.back();
+    exchange.backend.exact_steps = ExactSteps::always;
+    exchange.most_rounds = few_rounds;
+    ContinuousResult held = result;
+    go_on(held, problem, solver, exchange, control, [&](const ExchangeResult& found, const Candidate& now) {
+        const Candidate pulled = pulled_inside(problem, found.latest, inside);
+        const bool dear = relative_gap(pulled.objective, found.latest.objective) > dear_repair;
+        const Candidate& closer = dear ? found.latest : pulled;
+        return closer.violation < part * now.violation ? closer : Candidate{};
+    });
+    sharpen_proof(held, judge);
+    const bool holds = held.certificate.worst_violation < before.worst_violation;
+    if (holds && is_closed(held.certificate, judge)) result = std::move(held);
+}
+
 /// From the first point by exchange; repaired, proved and judged.
 ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, const FirstPoint& first,
                           const ExchangeOptions& exchange, const JudgeOptions& judge,
@@ -313,8 +317,8 @@ ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, cons
         sharpen_proof(result, judge);
         come_closer(result, problem, solver, exchange, judge, control, points);
         sharpen_proof(result, judge);
-        hold_limits(result, problem, solver, exchange, judge, control, first.inside);
         use_tolerance(result, problem, points.found, exchange, judge, control);
+        hold_limits(result, problem, solver, exchange, judge, control, first.inside);
         const bool had_bound = result.certificate.lower_bound.has_value();
         settle_passed_bound(result, problem, exchange, judge, control);
         no_room = had_bound && !result.certificate.lower_bound;

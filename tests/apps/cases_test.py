@@ -37,6 +37,7 @@ ROWS = [
      ["so narrow that double precision gives its width to"], []),
     ("machine machine_seam/machine.toml", 0, {"verdict": "optimal", "objective": (0.45882117063255179, 1e-8)}, [], []),
     ("machine machine_dear_repair/machine.toml", 0, {"verdict": "optimal", "objective": (0.31809762916107315, 1e-9)}, [], []),
+    ("solve dear_repair.toml", 0, {"verdict": "optimal", "objective": (1.6161616637182394, 2e-9)}, [], []),
     ("solve infeasible_unbounded_motion.toml --set solver.explain_seconds=0", 3, {"verdict": "infeasible"}, [], []),
     ("machine machine_wide_boxes/machine.toml", 3, {"verdict": "infeasible"}, ["No motions exist at 38 rpm: proved"], []),
     # The die alone: 60 rpm at 2.89424 m/s^2, thus 111.528 rpm at 10 m/s^2.
@@ -61,6 +62,10 @@ def answer(row, out):
     done = subprocess.run([PROGRAM, command, str(CASES / scene), *settings, "--out", str(out)], capture_output=True, text=True, timeout=120,
                           check=False)
     assert done.returncode == code, (words, done.returncode, done.stderr)
+    if (out / "certificate.json").exists():
+        judged = subprocess.run([sys.executable, "-B", str(ROOT / "scripts/verify-certificate"), str(out), "--quiet"], capture_output=True, text=True,
+                                timeout=120, check=False)
+        assert judged.returncode in (CONFIRMED, NOT_JUDGED), (words, judged.stdout, judged.stderr)
     text = " ".join((done.stdout + done.stderr).split())
     if fields:
         document = json.loads((out / ("machine.json" if command == "machine" else "result.json")).read_text(encoding="utf-8"))
