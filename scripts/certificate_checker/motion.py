@@ -112,8 +112,8 @@ class Curve:
     def from_the_top(run, points, delivered):
         """Where some segments are far narrower than others, the last digit of y there is all of its third derivative.
         So the conditions are solved for control points of that derivative, which weigh little where segments are
-        narrow."""
-        space, top, conditions = run.space, run.top(), run.conditions_in_top()
+        narrow, those that the motion tells least of."""
+        space, top, conditions = run.space, run.top(), run.conditions_in_top(run.errors_in_top())
         own = run.space_of_top()
         values = [derivative(delivered[0], order)[0] for order in range(top)]
         values += own.control_points(points, [derivative(piece, top) for piece in delivered], top)

@@ -12,6 +12,8 @@ import sys
 PROGRAM, ROOT, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 CASES = ROOT / "tests/cases"
 
+CONFIRMED, NOT_JUDGED = 0, 2  # exit codes of verify-certificate
+
 # (words of the command after camopt, exit code, fields of the result file: value and tolerance or text, texts found, texts not found)
 ROWS = [
     ("solve 40c_seam.toml", 2, {}, ["40c_lift.csv", "s_m = 0.06 in line 362 and s_m = 0.044082 in line 2"], []),
