@@ -86,6 +86,9 @@ class Curve:
         else:
             control = conditions.completed(space.control_points(points, delivered))
         distance = self.distances(space, control, points, delivered)
+        if distance[0] > STATED and run.is_fine():
+            other = self.from_the_top(run, points, delivered, by_width=True)
+            control, distance = min(((c, self.distances(space, c, points, delivered)) for c in (control, other)), key=lambda own: own[1][0])
         given = [row for row in run.conditions if row[2] not in IMPLIED]
         if distance[0] > STATED and len(given) < len(run.conditions):
             # What follows from inequalities alone is met as they are, to their tolerance: with y' = 0 a y'' of its cube root.
@@ -109,14 +112,17 @@ class Curve:
         return distance
 
     @staticmethod
-    def from_the_top(run, points, delivered):
+    def from_the_top(run, points, delivered, by_width=False):
         """Where some segments are far narrower than others, the last digit of y there is all of its third derivative.
         So the conditions are solved for control points of that derivative, which weigh little where segments are
-        narrow, those that the motion tells least of."""
-        space, top, conditions = run.space, run.top(), run.conditions_in_top(run.errors_in_top())
-        own = run.space_of_top()
+        narrow; `by_width`: for those of narrow segments, which the motion tells least of, where y is known alike everywhere."""
+        space, top, own, pieces, errors = run.space, run.top(), run.space_of_top(), None, None
+        if by_width:
+            known, pieces = zip(*own.best_pieces(top))
+            errors = [1 / space.width(0)**order for order in range(top)] + list(known)
+        conditions = run.conditions_in_top(errors)
         values = [derivative(delivered[0], order)[0] for order in range(top)]
-        values += own.control_points(points, [derivative(piece, top) for piece in delivered], top)
+        values += own.control_points(points, [derivative(piece, top) for piece in delivered], pieces)
         values = conditions.completed(values)
         control = values[top:]
         for order in range(top, 0, -1):

@@ -84,11 +84,6 @@ class Run:
     def space_of_top(self):
         return Space(self.space.degree - self.top(), self.space.continuity - self.top(), self.space.breakpoints)
 
-    def errors_in_top(self):
-        """To what the numbers of `in_top` are known of a motion that is known to 1."""
-        return [1 / self.space.width(0)**order for order in range(self.top())] + \
-            [error for error, _ in self.space_of_top().best_pieces(self.top())]
-
     def conditions_in_top(self, errors=None):
         return Conditions([(self.in_top(row), value, name) for row, value, name in self.conditions], errors)
 

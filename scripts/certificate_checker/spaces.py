@@ -99,25 +99,30 @@ class Space:
         return [combination(*((control[self.first(i) + k], f) for k, f in enumerate(self.basis(i))))
                 for i in range(self.segments)]
 
-    def best_pieces(self, order=0):
+    def middle_pieces(self):
+        """[segment]: in the middle of each control point's reach."""
+        spans = ([i for i in range(self.segments) if 0 <= j - self.first(i) <= self.degree] for j in range(self.size))
+        return [own[len(own) // 2] for own in spans]
+
+    def best_pieces(self, order):
         """[(error, segment)]: from which piece each control point of a derivative of this order is best known, and to what, where the motion
         itself is known to 1. Over a width h the derivative is known to 1 / h^order, which a blossom multiplies by (what the knots are away /
         h)^degree; of equals the middle one."""
         found = []
-        for j in range(self.size):
-            spans, errors = [i for i in range(self.segments) if 0 <= j - self.first(i) <= self.degree], []
-            for i in spans:
+        for j, middle in enumerate(self.middle_pieces()):
+            errors = []
+            for i in (i for i in range(self.segments) if 0 <= j - self.first(i) <= self.degree):
                 away = max([self.width(i)] + [abs(knot - self.breakpoints[i]) for knot in self.knots[j + 1:j + 1 + self.degree]])
-                errors.append((away**self.degree / self.width(i)**(self.degree + order), abs(i - spans[len(spans) // 2]), i))
+                errors.append((away**self.degree / self.width(i)**(self.degree + order), abs(i - middle), i))
             error, _, i = min(errors)
             found.append((error, i))
         return found
 
-    def control_points(self, breakpoints, polynomials, order=0):
-        """Of a motion given by polynomials of t = x - breakpoint on nearly the same breakpoints, the derivatives of this order of one: the
-        blossom of the piece from which each control point is best known, rounded to 2^-110."""
+    def control_points(self, breakpoints, polynomials, pieces=None):
+        """Of a motion given by polynomials of t = x - breakpoint on nearly the same breakpoints: the blossom of one of the pieces of each
+        control point's reach, rounded to 2^-110."""
         control = []
-        for j, (_, i) in enumerate(self.best_pieces(order)):
+        for j, i in enumerate(pieces or self.middle_pieces()):
             u = [knot - breakpoints[i] for knot in self.knots[j + 1:j + 1 + self.degree]]
             control.append(Fraction(round(blossom(polynomials[i], u) * 2**110), 2**110))
         return control
