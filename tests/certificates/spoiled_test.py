@@ -77,10 +77,11 @@ class Spoiled:
         self.motion = result["motion"]
 
     def heavy_row(self, placed=True):
-        """One of the ten rows with the largest multipliers (placed: of a rule at an angle)."""
+        """One of the ten rows with the largest multipliers (placed: of a rule at an angle), of which more than rounding is left."""
         rows = [r for r in self.proof["rows"] if "at" in r["origin"] or not placed] if self.proof else []
         rows.sort(key=lambda r: -abs(r["multiplier"]))
-        return self.random.choice(rows[:10]) if rows else None
+        rows = [r for r in rows[:10] if abs(r["multiplier"]) > 1e-6 * abs(rows[0]["multiplier"])]
+        return self.random.choice(rows) if rows else None
 
     def multiplier(self):
         row = self.heavy_row()
