@@ -2,8 +2,8 @@
 """Laws of the catalogue as formulas: f from 0 to 1 over 0 <= u <= 1, with its derivatives.
 
 Theorem. `pieces_of` encloses f, f', f'', f''' of a law at every u; `law_peak`, `square_integral` and `mean_of` enclose the largest value, the
-integral of the square and the mean. Of most laws f'' has a formula piece by piece: a number and sines and cosines, or a line, up to a factor
-that makes f(1) = 1. Two widths of pieces are irrational and taken to 35 digits.
+integral of the square and the mean. f'' of every law has a formula piece by piece, a polynomial or a number with sines and cosines, up to a
+factor that makes f(1) = 1. Two widths of pieces are irrational and taken to 35 digits.
 
 A law is named by its key, with numbers in place of its customary ones in brackets ("modified_sine(0.2)", "scca(sine = 1, constant = 2,
 cosine = 1, coast = 0)"). "polynomial" is, between velocities v and accelerations a of both ends by u,
@@ -26,7 +26,7 @@ FIXED = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
                "one_dwell_polynomial_345": [0, 0, 0, Fraction(20, 3), Fraction(-25, 3), Fraction(8, 3)],
                "one_dwell_polynomial_3456": [0, 0, 0, 8, -12, 6, -1],
                "run_in": [0, 0, 0, 2, -1], "run_out": [0, 2, 0, -2, 1]}
-EIGHTH, THIRD = Fraction(1, 8), Fraction(1, 3)
+EIGHTH, THIRD, HALF = Fraction(1, 8), Fraction(1, 3), Fraction(1, 2)
 # Names of the numbers of a law and its customary ones.
 NUMBERS = {"modified_sine": {"Ta": EIGHTH}, "modified_trapezoid": {"Ta": EIGHTH}, "mcv_50": {"a": EIGHTH / 2, "b": Fraction(1, 4)},
            "mcv_33": {"a": Fraction(1, 12), "b": THIRD}, "mcv_20": {"a": Fraction(1, 10), "b": Fraction(2, 5)},
@@ -81,34 +81,33 @@ def constant(value):
     return Jet.number(Fraction(value))
 
 
-# -- pieces of f'': (width, a number, [(half turns of the argument, factor of the sine, of the cosine)])
+# -- pieces of f'': (width, a polynomial, [(half turns of the argument, factor of the sine, of the cosine)])
 
 def sine_up(width, height=1):
-    return width, 0, [(Fraction(1, 2), height, 0)]
+    return width, [0], [(HALF, height, 0)]
 
 
 def cosine_down(width, height=1):
-    return width, 0, [(Fraction(1, 2), 0, height)]
+    return width, [0], [(HALF, 0, height)]
 
 
 def half_sine(width, height=1):
-    return width, 0, [(1, height, 0)]
+    return width, [0], [(1, height, 0)]
 
 
 def level(width, height=1):
-    return width, height, []
+    return width, [height], []
 
 
 def odd_sines(*amplitudes):
     """The first half of u - sum of amplitude sin 2 pi (2 k + 1) u, up to a factor."""
-    return [(Fraction(1, 2), 0, [(n, a * n * n, 0) for n, a in zip((1, 3, 5), amplitudes)])]
+    return [(HALF, [0], [(n, a * n * n, 0) for n, a in zip((1, 3, 5), amplitudes)])]
 
 
 def stretched(pieces, by):
-    return [(width * by, a / by, [(h, s / by, c / by) for h, s, c in waves]) for width, a, waves in pieces]
+    return [(width * by, [c / by**(m + 1) for m, c in enumerate(line)], [(h, s / by, c / by) for h, s, c in waves]) for width, line, waves in pieces]
 
 
-HALF = Fraction(1, 2)
 HALVES = {"parabolic": [level(HALF)], "simple_harmonic": [cosine_down(HALF)], "cycloidal": [half_sine(HALF)],
           "cycloidal_cv50": [half_sine(HALF / 2), level(HALF / 2, 0)],
           "gutman_13": odd_sines(Fraction(15, 32), Fraction(1, 96)), "freudenstein_13": odd_sines(Fraction(27, 56), Fraction(1, 168)),
@@ -133,13 +132,15 @@ def half_of(key, numbers):
         return scca(numbers["Ta"], HALF - 2 * numbers["Ta"], numbers["Ta"], 0)
     if key.startswith("mcv_"):
         return scca(numbers["a"], 0, numbers["b"] - numbers["a"], HALF - numbers["b"])
+    if key == "polynomial_345":
+        return [(HALF, derivative(FIXED[key], 2), [])]
     return HALVES.get(key)
 
 
 def turned(pieces):
     """Pieces of f'' of 1 - f(1 - u), a wave from its end, up to a sign; of the second half where f(u) + f(1 - u) = 1."""
     found = []
-    for width, a, waves in reversed(pieces):
+    for width, line, waves in reversed(pieces):
         own = []
         for h, s, c in waves:
             if h == HALF:
@@ -147,29 +148,38 @@ def turned(pieces):
             else:
                 sign = (-1)**int(h)
                 own.append((h, sign * s, -sign * c))
-        found.append((width, -a, own))
+        found.append((width, [-c * (-1)**m for m, c in enumerate(shifted(line, width))], own))
     return found
 
 
 @functools.cache
 def shape_of(law):
-    """Pieces of f'' of a law, up to a factor."""
+    """(f'(0), pieces of f'') of a law, up to a factor. Laws with waves begin and end with f' = 0."""
     key, numbers, backwards = parsed(law)
-    own = one_dwell(key, numbers)
-    if own is None and key.startswith("asymmetric_"):
+    slope, own = 0, one_dwell(key, numbers)
+    if key == "polynomial" or key in FIXED:
+        whole = FIXED.get(key) or between_states(*numbers.values())
+        slope, own = whole[1], [(Fraction(1), derivative(whole, 2), [])]
+    elif key in ("trapezoid", "s_curve"):
+        own = ramped(*numbers.values())
+    elif key.startswith("asymmetric_"):
         half, split = half_of(key[len("asymmetric_"):], {n: x for n, x in numbers.items() if n != "split"}), numbers["split"]
         own = half and stretched(half, 2 * split) + stretched(turned(half), 2 * (1 - split))
-    if own is None:
+    elif own is None:
         half = half_of(key, numbers)
         own = half and half + turned(half)
     if not own:
         raise Unverified(f"the law {law}")
-    return turned(own) if backwards else own
+    if not backwards:
+        return slope, own
+    if not any(waves for _, _, waves in own):
+        slope += sum(integral(line, width) for width, line, _ in own)
+    return slope, turned(own)
 
 
 def one_dwell(key, numbers):
     if key == "double_harmonic":
-        return [(Fraction(1), 0, [(1, 0, 1), (2, 0, -1)])]
+        return [(Fraction(1), [0], [(1, 0, 1), (2, 0, -1)])]
     if key == "one_dwell_modified_sine":
         ta = numbers["Ta"]
         zero = 1 / (2 - ta)
@@ -180,7 +190,7 @@ def one_dwell(key, numbers):
     if key == "one_dwell_modified_trapezoid":
         ta = numbers["Ta"]
         zero = HALF + ta * (HALF - 1 / PI_ITSELF)
-        return [sine_up(ta), level(zero - 2 * ta), (2 * ta, 0, [(1, 0, 1)]), level(1 - zero - ta, -1)]
+        return [sine_up(ta), level(zero - 2 * ta), (2 * ta, [0], [(1, 0, 1)]), level(1 - zero - ta, -1)]
     return None
 
 
@@ -193,24 +203,14 @@ def is_symmetric(law):
 
 
 def ramped(acceleration, coast, ramp=Fraction(0)):
-    """[(width, f'' by v)] of acceleration, constant velocity, deceleration, up to a factor."""
+    """Pieces of f'' of acceleration, constant velocity, deceleration, up to a factor."""
     found, last = [], 1 - acceleration - coast
     for width, height in ((acceleration, Fraction(1)), (coast, Fraction(0)), (last, -acceleration / last)):
         edge = ramp * width if height else Fraction(0)
-        parts = [(edge, [Fraction(0), height / edge if edge else 0]), (width - 2 * edge, [height]),
-                 (edge, [height, -height / edge if edge else 0])]
-        found += [(own, bend) for own, bend in parts if own]
+        parts = [(edge, [Fraction(0), height / edge if edge else 0], []), (width - 2 * edge, [height], []),
+                 (edge, [height, -height / edge if edge else 0], [])]
+        found += [part for part in parts if part[0]]
     return found
-
-
-def integrated(pieces):
-    """[(width, f by v)] with f(0) = f'(0) = 0 and f(1) = 1 of f''."""
-    found, y, slope = [], Fraction(0), Fraction(0)
-    for width, bend in pieces:
-        own = [y, slope] + [c / ((m + 1) * (m + 2)) for m, c in enumerate(bend)]
-        found.append((width, own))
-        y, slope = (sum(c * width**m for m, c in enumerate(part)) for part in (own, derivative(own, 1)))
-    return [(width, [c / y for c in own]) for width, own in found]
 
 
 def between_states(v0, a0, v1, a1):
@@ -221,26 +221,15 @@ def between_states(v0, a0, v1, a1):
 @functools.cache
 def polynomials_of(law):
     """[(width, f by v from the piece's beginning)], or None: f is none."""
-    key, numbers, backwards = parsed(law)
-    found = None
-    if key == "asymmetric_polynomial_345":  # two halves of f, each stretched both ways
-        own, found = [Fraction(c) for c in FIXED["polynomial_345"]], []
-        for by, begin in ((2 * numbers["split"], Fraction(0)), (2 * (1 - numbers["split"]), HALF)):
-            part = [by * c / by**m for m, c in enumerate(shifted(own, begin))]
-            found.append((by / 2, [part[0] + (1 - by if begin else 0)] + part[1:]))
-    elif key in ("trapezoid", "s_curve"):
-        found = integrated(ramped(*numbers.values()))
-    elif key == "polynomial":
-        found = [(Fraction(1), between_states(*numbers.values()))]
-    elif key in FIXED:
-        found = [(Fraction(1), [Fraction(c) for c in FIXED[key]])]
-    if found is None or not backwards:
-        return found
-    turned_back = []
-    for width, own in reversed(found):
-        own = [c * (-1)**m for m, c in enumerate(shifted(own, width))]
-        turned_back.append((width, [1 - own[0]] + [-c for c in own[1:]]))
-    return turned_back
+    slope, pieces = shape_of(law)
+    if any(waves for _, _, waves in pieces):
+        return None
+    found, y = [], Fraction(0)
+    for width, line, _ in pieces:
+        own = [y, slope] + [Fraction(c) / ((m + 1) * (m + 2)) for m, c in enumerate(line)]
+        found.append((width, own))
+        y, slope = value_at(own, width), value_at(derivative(own), width)
+    return [(width, [c / y for c in own]) for width, own in found]
 
 
 def polynomial_of(law):
@@ -267,8 +256,10 @@ def harmonic(law):
     size = None
     for _ in range(2):  # the second time with f(1) = 1
         found, begin = [], [constant(0), constant(0)]
-        for width, a, waves in shape_of(law):
-            own = (width, constant(a), [(PI * (h / width), constant(s), constant(c)) for h, s, c in waves])
+        for width, line, waves in shape_of(law)[1]:
+            if len(line) > 1:
+                raise Unverified(f"the law {law}")
+            own = (width, constant(line[0]), [(PI * (h / width), constant(s), constant(c)) for h, s, c in waves])
             if size:
                 own = (width, own[1] * size, [(w, s * size, c * size) for w, s, c in own[2]])
             found.append((*own, begin))
