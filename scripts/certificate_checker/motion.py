@@ -88,7 +88,7 @@ class Curve:
         distance = self.distances(space, control, points, delivered)
         if distance[0] > STATED and run.is_fine():
             other = self.from_the_top(run, points, delivered, by_width=True)
-            control, distance = min(((c, self.distances(space, c, points, delivered)) for c in (control, other)), key=lambda own: own[1][0])
+            control, distance = min((control, distance), (other, self.distances(space, other, points, delivered)), key=lambda own: own[1][0])
         given = [row for row in run.conditions if row[2] not in IMPLIED]
         if distance[0] > STATED and len(given) < len(run.conditions):
             # What follows from inequalities alone is met as they are, to their tolerance: with y' = 0 a y'' of its cube root.
@@ -115,7 +115,7 @@ class Curve:
     def from_the_top(run, points, delivered, by_width=False):
         """Where some segments are far narrower than others, the last digit of y there is all of its third derivative.
         So the conditions are solved for control points of that derivative, which weigh little where segments are
-        narrow; `by_width`: for those of narrow segments, which the motion tells least of, where y is known alike everywhere."""
+        narrow; `by_width`: for those of narrow segments, which the motion tells least of, where y is known to the same everywhere."""
         space, top, own, pieces, errors = run.space, run.top(), run.space_of_top(), None, None
         if by_width:
             known, pieces = zip(*own.best_pieces(top))

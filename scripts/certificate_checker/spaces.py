@@ -99,10 +99,13 @@ class Space:
         return [combination(*((control[self.first(i) + k], f) for k, f in enumerate(self.basis(i))))
                 for i in range(self.segments)]
 
+    def reach(self, j):
+        """The segments that feel a control point."""
+        return [i for i in range(self.segments) if 0 <= j - self.first(i) <= self.degree]
+
     def middle_pieces(self):
         """[segment]: in the middle of each control point's reach."""
-        spans = ([i for i in range(self.segments) if 0 <= j - self.first(i) <= self.degree] for j in range(self.size))
-        return [own[len(own) // 2] for own in spans]
+        return [own[len(own) // 2] for own in map(self.reach, range(self.size))]
 
     def best_pieces(self, order):
         """[(error, segment)]: from which piece each control point of a derivative of this order is best known, and to what, where the motion
@@ -111,7 +114,7 @@ class Space:
         found = []
         for j, middle in enumerate(self.middle_pieces()):
             errors = []
-            for i in (i for i in range(self.segments) if 0 <= j - self.first(i) <= self.degree):
+            for i in self.reach(j):
                 away = max([self.width(i)] + [abs(knot - self.breakpoints[i]) for knot in self.knots[j + 1:j + 1 + self.degree]])
                 errors.append((away**self.degree / self.width(i)**(self.degree + order), abs(i - middle), i))
             error, _, i = min(errors)

@@ -5,7 +5,7 @@ namespace camopt {
 
 namespace {
 
-constexpr double kept_within = 1e-6;      // m: what a line may be nearer to the cam than it is told
+constexpr double kept_within = 1e-6;      // m: what a line may be nearer to the cam than d
 constexpr double far_below = -1e3;        // m
 constexpr double step_of_surface = 1e-6;  // of the surface
 
