@@ -52,7 +52,8 @@ class LargestMagnitude {
 
     void add(int segment, const Eigen::VectorXd& polynomial) {
         candidates_.clear();
-        add_candidates_on_segment(space_, segment, polynomial, candidates_);
+        const std::vector<double>& breakpoints = space_.breakpoints();
+        add_candidates(breakpoints[segment], breakpoints[segment + 1], polynomial, candidates_);
         for (const Extremum& candidate : candidates_)
             add({std::abs(candidate.value), candidate.at, candidate.side});
     }
@@ -246,12 +247,7 @@ Eigen::VectorXd SplineCurve::derivative_polynomial(int segment, int order) const
 }
 
 void SplineCurve::derivative_polynomial(int segment, int order, Eigen::Ref<Eigen::VectorXd> out) const {
-    out[0] = 0.0;
-    for (Eigen::Index m = 0; m + order < pieces_.rows(); ++m) {
-        double value = pieces_(m + order, segment);
-        for (int r = 0; r < order; ++r) value *= static_cast<double>(m + order - r);
-        out[m] = value;
-    }
+    differentiate(pieces_.col(segment), order, out);
 }
 
 Eigen::VectorXd SplineCurve::coefficients() const {
@@ -307,13 +303,11 @@ Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& k
     return bounds;
 }
 
-void add_candidates_on_segment(const SplineSpace& space, int segment, const Eigen::VectorXd& polynomial,
-                               std::vector<Extremum>& all) {
-    const double origin = space.breakpoints()[segment];
-    const double width = space.width(segment);
-    all.push_back({polynomial[0], origin, Side::right});
+void add_candidates(double begin, double end, const Eigen::VectorXd& polynomial, std::vector<Extremum>& all) {
+    const double width = end - begin;
+    all.push_back({polynomial[0], begin, Side::right});
     const auto add = [&](double t) {
-        all.push_back({evaluate_polynomial(polynomial, t), origin + t, Side::right});
+        all.push_back({evaluate_polynomial(polynomial, t), begin + t, Side::right});
     };
     if (polynomial.size() == 3) {  // a parabola, as most are: the sign change of its slope
         const double at_begin = polynomial[1], bend = 2.0 * polynomial[2];
@@ -321,7 +315,7 @@ void add_candidates_on_segment(const SplineSpace& space, int segment, const Eige
     } else if (polynomial.size() > 3) {
         for (const double t : sign_changes(differentiated(polynomial), 0.0, width)) add(t);
     }
-    all.push_back({evaluate_polynomial(polynomial, width), space.breakpoints()[segment + 1], Side::left});
+    all.push_back({evaluate_polynomial(polynomial, width), end, Side::left});
 }
 
 Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function) {

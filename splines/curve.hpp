@@ -136,10 +136,9 @@ struct KnownBounds {
 /// Coefficients, ascending in t = x − x_i, of a function on one segment.
 using SegmentFunction = std::function<Eigen::VectorXd(int segment)>;
 
-/// Appends to `all` where the function may be largest or least on a segment: its two ends (from inside) and
+/// Appends to `all` where a polynomial of x − begin may be largest or least: the two ends (from inside) and
 /// the stationary points, ascending.
-void add_candidates_on_segment(const SplineSpace& space, int segment, const Eigen::VectorXd& polynomial,
-                               std::vector<Extremum>& all);
+void add_candidates(double begin, double end, const Eigen::VectorXd& polynomial, std::vector<Extremum>& all);
 
 /// The extremum of largest magnitude; `value` is that magnitude. Of locations within 1e-8 of it, of which an
 /// optimum has many, `at` is the first.

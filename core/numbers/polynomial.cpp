@@ -51,11 +51,19 @@ double evaluate_polynomial(const Eigen::Ref<const Eigen::VectorXd>& coefficients
 }
 
 Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients) {
-    if (coefficients.size() <= 1) return Eigen::VectorXd::Zero(1);
-    Eigen::VectorXd slope(coefficients.size() - 1);
-    for (Eigen::Index m = 0; m < slope.size(); ++m)
-        slope[m] = static_cast<double>(m + 1) * coefficients[m + 1];
+    Eigen::VectorXd slope(std::max<Eigen::Index>(1, coefficients.size() - 1));
+    differentiate(coefficients, 1, slope);
     return slope;
+}
+
+void differentiate(const Eigen::Ref<const Eigen::VectorXd>& coefficients, int order,
+                   Eigen::Ref<Eigen::VectorXd> out) {
+    out[0] = 0.0;
+    for (Eigen::Index m = 0; m + order < coefficients.size(); ++m) {
+        double value = coefficients[m + order];
+        for (int r = 0; r < order; ++r) value *= static_cast<double>(m + order - r);
+        out[m] = value;
+    }
 }
 
 Eigen::VectorXd product(const Eigen::Ref<const Eigen::VectorXd>& left,

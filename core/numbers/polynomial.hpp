@@ -13,6 +13,10 @@ namespace camopt {
 /// p'; the zero polynomial for a constant.
 [[nodiscard]] Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients);
 
+/// The derivative of an order, in `out`: of that many coefficients less, at least 1.
+void differentiate(const Eigen::Ref<const Eigen::VectorXd>& coefficients, int order,
+                   Eigen::Ref<Eigen::VectorXd> out);
+
 [[nodiscard]] Eigen::VectorXd product(const Eigen::Ref<const Eigen::VectorXd>& left,
                                       const Eigen::Ref<const Eigen::VectorXd>& right);
 

@@ -59,6 +59,21 @@ RuleValue LinearRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& 
     return rule;
 }
 
+std::optional<RangeAlong> LinearRule::range_along(const Interval&, const std::array<Interval, 5>& derivatives,
+                                                  const Eigen::VectorXd& q) const {
+    const RuleValue at_zero = evaluate({}, q);
+    RangeAlong range(at_zero.value);
+    const std::array<Interval*, 3> parts = {&range.value, &range.slope, &range.bend};
+    for (std::size_t order = 0; order < 4; ++order) {
+        const double weight = at_zero.gradient[static_cast<Eigen::Index>(order)];
+        if (weight == 0.0) continue;
+        for (std::size_t r = 0; r < parts.size(); ++r)
+            *parts[r] = order + r < derivatives.size() ? *parts[r] + Interval(weight) * derivatives[order + r]
+                                                       : Interval(-infinity, infinity);
+    }
+    return range;
+}
+
 PlacedRule LinearBound::rule() const {
     PlacedRule placed(std::make_shared<const LinearRule>(*this), stretch);
     placed.datum = datum;

@@ -59,6 +59,10 @@ class LinearRule final : public PointRule {
     [[nodiscard]] double scale_at(double x) const override;
     [[nodiscard]] double rounding() const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
+    /// Of a jerk without its second derivative, which needs the fifth of y.
+    [[nodiscard]] std::optional<RangeAlong> range_along(const Interval& x,
+                                                        const std::array<Interval, 5>& derivatives,
+                                                        const Eigen::VectorXd& q) const override;
 
  private:
     LinearBound bound_;

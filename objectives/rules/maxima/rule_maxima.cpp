@@ -23,30 +23,32 @@ using piece_maxima::SmoothPiece;
 using piece_maxima::Stretch;
 using piece_maxima::Subject;
 
-/// A rule along the pieces of a spline as polynomials in x − begin.
-class RuleOnSpline {
+/// A rule along pieces on which y is a polynomial of x − begin.
+class RuleOnPolynomial {
  public:
     /// datum: the origin of y.
-    RuleOnSpline(const PointRule& rule, const Eigen::VectorXd& q, double datum) : rule_(rule), q_(q) {
+    RuleOnPolynomial(const PointRule& rule, const Eigen::VectorXd& q, double datum) : rule_(rule), q_(q) {
         if (!rule.linear()) return;
         affine_ = rule.evaluate({0.0, {-datum, 0.0, 0.0, 0.0}}, q);
         while (lowest_ < 3 && affine_->gradient[lowest_] == 0.0) ++lowest_;
     }
 
     /// Empty if it is not a polynomial. Valid until the next call.
-    [[nodiscard]] const Eigen::VectorXd& along(const SplineCurve& curve, int segment) {
+    [[nodiscard]] const Eigen::VectorXd& along(const Eigen::Ref<const Eigen::VectorXd>& y) {
         if (!affine_) {
             std::array<Eigen::VectorXd, 4> derivatives;
-            for (int order = 0; order < 4; ++order)
-                derivatives[order] = curve.derivative_polynomial(segment, order);
+            for (int order = 0; order < 4; ++order) {
+                derivatives[order].resize(terms(y, order));
+                differentiate(y, order, derivatives[order]);
+            }
             return polynomial_ = rule_.along(derivatives, q_);
         }
-        polynomial_.setZero(terms(curve.degree(), lowest_));
+        polynomial_.setZero(terms(y, lowest_));
         polynomial_[0] = affine_->value;
         for (int order = lowest_; order < 4; ++order) {
             if (affine_->gradient[order] == 0.0) continue;
-            derivative_.resize(terms(curve.degree(), order));
-            curve.derivative_polynomial(segment, order, derivative_);
+            derivative_.resize(terms(y, order));
+            differentiate(y, order, derivative_);
             polynomial_.head(derivative_.size()) += affine_->gradient[order] * derivative_;
         }
         return polynomial_;
@@ -59,13 +61,16 @@ class RuleOnSpline {
     int lowest_ = 0;                   ///< the lowest derivative in it
     Eigen::VectorXd polynomial_, derivative_;
 
-    static Eigen::Index terms(int degree, int order) { return std::max(1, degree + 1 - order); }
+    static Eigen::Index terms(const Eigen::Ref<const Eigen::VectorXd>& y, int order) {
+        return std::max<Eigen::Index>(1, y.size() - order);
+    }
 };
 
 void add_candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& polynomial,
                               const MotionFamily::Piece& piece, double shift, std::vector<Extremum>& all) {
     const std::size_t first = all.size();
-    add_candidates_on_segment(curve.space(), piece.segment, polynomial, all);
+    const std::vector<double>& breakpoints = curve.space().breakpoints();
+    add_candidates(breakpoints[piece.segment], breakpoints[piece.segment + 1], polynomial, all);
     // Clamped to the piece against round-off.
     for (std::size_t k = first; k < all.size(); ++k)
         all[k].at = std::clamp(all[k].at - shift, piece.begin, piece.end);
@@ -214,7 +219,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
     std::vector<Extremum> candidates;
     const Subject subject{*rule, motion, q};
     if (!rule->places().empty()) return at_places(subject);
-    RuleOnSpline on_spline(*rule, q, datum_of(rule, family, motion));
+    RuleOnPolynomial on_spline(*rule, q, datum_of(rule, family, motion));
     candidates.reserve(3 * family.pieces().size());
     CurvedPieces curved(subject);
     for (const MotionFamily::Piece& piece : family.pieces()) {
@@ -230,7 +235,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
                 candidates.push_back({value.value, piece.begin, Side::right});
         } else if (stretch.kind == StretchRequest::Kind::spline) {
             const auto& curve = dynamic_cast<const SplineCurve&>(*motion.parts()[piece.stretch].shape);
-            const Eigen::VectorXd& polynomial = on_spline.along(curve, piece.segment);
+            const Eigen::VectorXd& polynomial = on_spline.along(curve.pieces().col(piece.segment));
             if (polynomial.size() > 0) {
                 add_candidates_on_spline(curve, polynomial, piece, stretch.shift, candidates);
             } else {
@@ -264,8 +269,17 @@ MaximaAlong maxima_along(const PointRule& rule, const Motion& motion, const Eige
                    piece_maxima::sampled(subject, {points[i], points[i + 1]}, samples_on_shape, effort));
         return {maxima_among(inside(rule.holds_between(), subject, std::move(candidates))), false};
     }
+    RuleOnPolynomial on_polynomial(rule, q, 0.0);
+    const auto add = [&](SmoothPiece& piece) {
+        const bool empty = piece.y.size() == 0;
+        const Eigen::VectorXd& polynomial = empty ? piece.y : on_polynomial.along(piece.y);
+        if (polynomial.size() > 0)
+            add_candidates(piece.piece.begin, piece.piece.end, polynomial, candidates);
+        else
+            curved.add(std::move(piece), candidates);
+    };
     for (const ChainPart& part : chain->parts())
-        for (SmoothPiece& piece : piece_maxima::pieces_of(part)) curved.add(std::move(piece), candidates);
+        for (SmoothPiece& piece : piece_maxima::pieces_of(part)) add(piece);
     const bool complete = curved.finish(candidates);
     return {maxima_among(inside(rule.holds_between(), subject, std::move(candidates))), complete};
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The continuous maxima of a rule along a motion.
 //
-// On a spline: exact for linear rules and the torque polynomials; enclosed for rules with
-// PointRule::range_along, so that none near the largest or above 0 is missed. For other rules, and on laws,
-// sampled: the slope along the motion, dg/dx = g_y y' + g_{y'} y'' + g_{y''} y''', is bracketed and its root
-// found to round-off, with denser samples where a cubic approximates the rule poorly.
+// On a spline: exact for linear rules and the torque polynomials. Elsewhere enclosed for rules with
+// PointRule::range_along and shapes with Motion::ranges, so that none near the largest or above 0 is missed.
+// Otherwise sampled: the slope along the motion, dg/dx = g_y y' + g_{y'} y'' + g_{y''} y''', is bracketed and
+// its root found to round-off, with denser samples where a cubic approximates the rule poorly.
 #pragma once
 
 #include "objectives/rules/linear_bound.hpp"

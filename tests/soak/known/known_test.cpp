@@ -72,11 +72,26 @@ TEST(PiecewiseSpace, ExtremesAreExact) {
     EXPECT_NEAR(most, 32.0 / 27.0, 1e-14);
     EXPECT_NEAR(space.integral().dot(space.smoothest()), 4.0 / 3.0, 1e-14);
     // ∫ (2·2 − 6x)² dx over [0, 2]
-    PiecewiseSpace::Square square = space.no_square();
-    space.add_square(derivative_alone(2), 1.0, 0, 1, square);
-    EXPECT_NEAR(space.smoothest().dot(square.gram * space.smoothest()), 32.0, 1e-12);
-    EXPECT_NEAR(2.0 * square.linear.dot(space.smoothest()), -8.0, 1e-12);  // 2 (y'(2) − y'(0))
-    EXPECT_NEAR(square.constant, 2.0, 1e-14);
+    PiecewiseSpace::Square square{0.0, Eigen::VectorXd::Zero(space.size())};
+    space.add_square(space.smoothest(), derivative_alone(2), 1.0, 0, 1, square);
+    // ∫ y''² + 2 (y'(2) − y'(0)) + 2
+    EXPECT_NEAR(square.value, 32.0 - 8.0 + 2.0, 1e-12);
+    EXPECT_NEAR(square.slope.dot(space.smoothest()), 32.0 - 4.0, 1e-12);
+}
+
+TEST(PiecewiseSpace, SquaresOfNarrowPiecesAreExact) {
+    PiecewiseSpace space(3);
+    space.add_run({0.0, 1.0, 1.0 + 1e-4, 2.0}, 2);
+    space.fix_begin(0, 0, 0.0);
+    space.fix_begin(0, 1, 0.0);
+    space.fix_end(2, 0, 0.0);
+    space.fix_end(2, 1, -4.0);
+    space.fix_begin(0, 2, 4.0);
+    space.fix_end(2, 2, -8.0);
+    ASSERT_TRUE(space.close());
+    PiecewiseSpace::Square square{0.0, Eigen::VectorXd::Zero(space.size())};
+    space.add_square(space.smoothest(), derivative_alone(2), 0.0, 0, 3, square);
+    EXPECT_NEAR(square.value, 32.0, 1e-9);
 }
 
 TEST(Balanced, MultipliersAreNotNegative) {

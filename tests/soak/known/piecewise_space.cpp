@@ -106,6 +106,12 @@ VectorXd PiecewiseSpace::row(const Combination& weights, int piece, double x) co
     return all;
 }
 
+template <class Visit>
+void PiecewiseSpace::visit_nodes(int piece, Visit&& visit) const {
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        visit(begin(piece) + width(piece) * (0.5 + 0.5 * nodes[k]), 0.5 * width(piece) * node_weights[k]);
+}
+
 VectorXd PiecewiseSpace::integral() const {
     VectorXd all(size());
     for (int piece = 0; piece < pieces(); ++piece)
@@ -114,19 +120,26 @@ VectorXd PiecewiseSpace::integral() const {
     return all;
 }
 
-void PiecewiseSpace::add_square(const Combination& weights, double constant, int first, int count,
-                                Square& sum) const {
-    for (int piece = first; piece < first + count; ++piece) {
-        const Index at = static_cast<Index>(piece) * (degree_ + 1);
-        for (std::size_t k = 0; k < nodes.size(); ++k) {
-            const double weight = 0.5 * width(piece) * node_weights[k],
-                         x = begin(piece) + width(piece) * (0.5 + 0.5 * nodes[k]);
-            const VectorXd own = row(weights, piece, x).segment(at, degree_ + 1);
-            sum.gram.block(at, at, degree_ + 1, degree_ + 1) += weight * own * own.transpose();
-            sum.linear.segment(at, degree_ + 1) += weight * constant * own;
-            sum.constant += weight * constant * constant;
-        }
-    }
+void PiecewiseSpace::add_square(const VectorXd& motion, const Combination& weights, double constant,
+                                int first, int count, Square& sum) const {
+    for (int piece = first; piece < first + count; ++piece)
+        visit_nodes(piece, [&](double x, double weight) {
+            const VectorXd own = row(weights, piece, x);
+            const double value = own.dot(motion) + constant;
+            sum.value += weight * value * value;
+            sum.slope += weight * value * own;
+        });
+}
+
+MatrixXd PiecewiseSpace::jerk_form() const {
+    MatrixXd form = MatrixXd::Zero(size(), size());
+    for (int piece = 0; piece < pieces(); ++piece)
+        visit_nodes(piece, [&](double x, double weight) {
+            const Index at = static_cast<Index>(piece) * (degree_ + 1);
+            const VectorXd own = row(derivative_alone(3), piece, x).segment(at, degree_ + 1);
+            form.block(at, at, degree_ + 1, degree_ + 1) += weight * own * own.transpose();
+        });
+    return form;
 }
 
 void PiecewiseSpace::require(const VectorXd& row, double value, double growth) {
@@ -176,9 +189,7 @@ bool PiecewiseSpace::close() {
     VectorXd particular = range * solver.solve(values);
     particular += range * solver.solve(values - equations_ * particular);
     if ((values - equations_ * particular).lpNorm<Eigen::Infinity>() > 1e-10) return false;
-    Square jerk = no_square();
-    add_square(derivative_alone(3), 0.0, 0, pieces(), jerk);
-    const MatrixXd& gram = jerk.gram;
+    const MatrixXd gram = jerk_form();
     const MatrixXd own = directions_.transpose() * gram * directions_;
     if (freedom() > 0)
         smoothest_ =

@@ -60,16 +60,15 @@ class PiecewiseSpace {
     [[nodiscard]] Eigen::VectorXd row(const Combination& weights, int piece, double x) const;
     /// The row of ∫ y dx over all pieces.
     [[nodiscard]] Eigen::VectorXd integral() const;
-    /// Of ∫ (combination + constant)² dx over some pieces: cᵀ gram c + 2 linearᵀ c + constant.
+    /// ∫ (combination + constant)² dx over some pieces at a motion, and half its gradient.
     struct Square {
-        Eigen::MatrixXd gram;
-        Eigen::VectorXd linear;
-        double constant = 0.0;
+        double value = 0.0;
+        Eigen::VectorXd slope;
     };
-    [[nodiscard]] Square no_square() const {
-        return {Eigen::MatrixXd::Zero(size(), size()), Eigen::VectorXd::Zero(size())};
-    }
-    void add_square(const Combination& weights, double constant, int first, int count, Square& sum) const;
+    /// From values along the motion: the form cᵀ gram c of a narrow piece cancels to 1e-16 / width³ and
+    /// worse.
+    void add_square(const Eigen::VectorXd& motion, const Combination& weights, double constant, int first,
+                    int count, Square& sum) const;
     /// A combination along a piece, of t from 0 to 1.
     [[nodiscard]] Polynomial polynomial(const Eigen::VectorXd& motion, const Combination& weights,
                                         int piece) const;
@@ -97,6 +96,11 @@ class PiecewiseSpace {
         double growth;  ///< relative change of its terms by one of a breakpoint
     };
     void require(const Eigen::VectorXd& row, double value, double growth);
+    /// Calls visit(x, weight) for quadrature along a piece.
+    template <class Visit>
+    void visit_nodes(int piece, Visit&& visit) const;
+    /// c' form c = ∫ y'''² dx.
+    [[nodiscard]] Eigen::MatrixXd jerk_form() const;
 
     int degree_;
     std::vector<double> begins_, ends_;

@@ -171,23 +171,22 @@ void Posing::add_area() {
 void Posing::add_root_mean_squares() {
     for (std::size_t k = 0; k < draft_.root_mean_squares.size(); ++k) {
         const RmsDraft& rms = draft_.root_mean_squares[k];
-        PiecewiseSpace::Square sum = draft_.space.no_square();
+        PiecewiseSpace::Square sum{rms.rests * rms.constant * rms.constant,
+                                   VectorXd::Zero(draft_.space.size())};
         double length = rms.rests;
-        sum.constant = rms.rests * rms.constant * rms.constant;
         for (std::size_t r = 0; r < draft_.runs.size(); ++r) {
             const Run& run = draft_.runs[r];
             length += run.end - run.begin;
-            draft_.space.add_square(rms.of_run[r], rms.constant_in(r), run.first, run.pieces, sum);
+            draft_.space.add_square(motion_, rms.of_run[r], rms.constant_in(r), run.first, run.pieces, sum);
         }
-        const VectorXd slope = sum.gram * motion_ + sum.linear;
-        rms_.push_back(std::sqrt((motion_.dot(slope) + sum.linear.dot(motion_) + sum.constant) / length));
+        rms_.push_back(std::sqrt(sum.value / length));
         rms_bounds_.push_back(rms_.back());
         const bool limits = !rms.limit_key.empty() && draw_.chance(0.5);
         if (!draw_.chance(rms.chance) || (!feasible_ && !limits)) continue;
         ActiveRow row;
         row.of = limits ? ActiveRow::Of::rms_limit : ActiveRow::Of::rms;
         row.owner = k;
-        row.gradient = slope / (length * rms_.back());
+        row.gradient = sum.slope / (length * rms_.back());
         row.size = 4.0 * rms_.back();
         row.scale = rms_.back();
         row.preference = 2.0;

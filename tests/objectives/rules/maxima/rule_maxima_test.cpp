@@ -5,6 +5,7 @@
 
 #include "core/numbers/enclosures.hpp"
 #include "core/units.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
@@ -163,6 +164,45 @@ class OutOfReach final : public PointRule {
  private:
     double beyond_;
 };
+
+/// y'' falls to 0.01, rises to a low top at 0.05, and falls: a cubic through samples sees none of it.
+TEST(RuleMaxima, OfLinearRulesOnSplinesAreExact) {
+    Eigen::MatrixXd piece = Eigen::MatrixXd::Zero(6, 1);
+    piece(3, 0) = -0.0005 / 6.0;
+    piece(4, 0) = 0.03 / 12.0;
+    piece(5, 0) = -1.0 / 60.0;
+    const auto curve = std::make_shared<const SplineCurve>(SplineSpace(5, 3, {0.0, 1.0}), piece);
+    for (const auto& [width, height] : {std::array{1.0, 1.0}, std::array{2.0, 3.0}}) {
+        const MotionChain motion({{0.5, 0.5 + width, curve, 0.5, width, 0.2, height}});
+        LinearBound bound{"limits.acceleration", 2};
+        const MaximaAlong found = maxima_along(LinearRule(bound), motion, {});
+        const Extremum top = largest_of(found.maxima);
+        EXPECT_TRUE(found.complete);
+        EXPECT_NEAR(top.at, 0.5 + 0.05 * width, 1e-12);
+        EXPECT_NEAR(top.value, 25e-6 / 3.0 * height / (width * width), 1e-16);
+    }
+}
+
+TEST(RuleMaxima, OfLinearRulesOnLawsAreEnclosed) {
+    for (const char* const name : {"modified_sine", "cycloidal", "modified_trapezoid"}) {
+        const std::shared_ptr<const Law> law = make_law(name);
+        const MotionChain motion({{0.0, 2.0, law, 0.0, 2.0, 0.0, 1.0}});
+        for (int order = 1; order <= 3; ++order) {
+            LinearBound bound{"limits.most", order};
+            const MaximaAlong found = maxima_along(LinearRule(bound), motion, {});
+            EXPECT_TRUE(found.complete) << name;
+            double dense = -infinity;
+            for (int k = 0; k <= dense_points; ++k) {
+                const double at = 2.0 * k / dense_points;
+                const auto own = static_cast<std::size_t>(order);
+                dense = std::max(dense, motion.at(at, Side::right).derivative[own]);
+            }
+            const double top = largest_of(found.maxima).value;
+            EXPECT_GE(top, dense - 1e-10) << name << order;
+            EXPECT_LE(top, dense + 1e-4 * std::abs(dense)) << name << order;
+        }
+    }
+}
 
 TEST(RuleMaxima, UndefinedValuesCountAsWorstViolation) {
     const Scene scene = small_cam(FollowerType::translating_roller, Rotation::clockwise);
