@@ -230,6 +230,7 @@ ExchangeOptions once_proved(ExchangeOptions options) {
 ExchangeOptions more_closely(ExchangeOptions options) {
     options.tolerance *= second_look;
     options.backend.tolerance *= second_look;
+    options.backend.exact_steps = ExactSteps::always;
     return options;
 }
 

@@ -64,12 +64,14 @@ Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSol
     return solution;
 }
 
-/// Doubles may hold another optimum than the one that was found: the first, where conditions nearly
-/// contradict and the smoothest is none, or that of B-spline coefficients, which are smooth without
-/// conditions.
-std::optional<Solution> optimum_of_doubles(const Scene& scene, const Solution& solution,
-                                           const SolveControl& timed, bool explain) {
-    if (!is_no_motion(solution.certificate.reason)) return std::nullopt;
+/// Another optimum than the one that was found may be deliverable. Where doubles do not represent that: the
+/// first, where conditions nearly contradict and the smoothest is none, or that of B-spline coefficients,
+/// which are smooth without conditions. Where its cam cannot be built: the smoothest.
+std::optional<Solution> deliverable_optimum(const Scene& scene, const Solution& solution,
+                                            const SolveControl& timed, bool explain) {
+    const bool tied = scene.objective.tie_break != TieBreak::none;
+    const bool unbuilt = solution.certificate.reason == Reason::cam_cannot_be_built && !tied;
+    if (!unbuilt && !is_no_motion(solution.certificate.reason)) return std::nullopt;
     Scene other = scene;
     const auto solved = [&](const char* note) -> std::optional<Solution> {
         if (timed.ending()) return std::nullopt;
@@ -80,7 +82,12 @@ std::optional<Solution> optimum_of_doubles(const Scene& scene, const Solution& s
         found.notes.emplace_back(note);
         return found;
     };
-    if (scene.objective.tie_break != TieBreak::none) {
+    if (unbuilt) {
+        other.objective.tie_break = TieBreak::rms_jerk;
+        return solved(
+            "tie-break by jerk: the first optimum leaves the range of the cam; this is the smoothest");
+    }
+    if (tied) {
         other.objective.tie_break = TieBreak::none;
         if (auto found =
                 solved("no tie-break: double precision cannot represent the smoothest of the optima; "
@@ -192,7 +199,7 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
     }
     const SolveControl timed = control.sooner(scene.solver.max_seconds);
     Solution solution = solve_and_audit(scene, timed, known, options);
-    if (std::optional<Solution> other = optimum_of_doubles(scene, solution, timed, options.explain)) {
+    if (std::optional<Solution> other = deliverable_optimum(scene, solution, timed, options.explain)) {
         solution = std::move(*other);
         if (known != nullptr) known->optima.withdraw();
     }

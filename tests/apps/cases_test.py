@@ -40,6 +40,9 @@ ROWS = [
     ("machine machine_seam/machine.toml", 0, {"verdict": "optimal", "objective": (0.45882117063255179, 1e-8)}, [], []),
     ("machine machine_dear_repair/machine.toml", 0, {"verdict": "optimal", "objective": (0.31809762916107315, 1e-9)}, [], []),
     ("solve dear_repair.toml", 0, {"verdict": "optimal", "objective": (1.6161616637182394, 2e-9)}, [], []),
+    ("solve torque_beside_breakpoint.toml", 0, {"verdict": "optimal", "objective": (1.1077729751978131, 2e-9)}, [], []),
+    ("solve cam_of_first_optimum.toml", 0, {"verdict": "optimal", "objective": (3.0734684505975918, 2e-9)}, ["tie-break by jerk"], []),
+    ("solve infeasible_nearly_dependent.toml --set solver.explain_seconds=0", 3, {"verdict": "infeasible"}, [], []),
     ("solve infeasible_unbounded_motion.toml --set solver.explain_seconds=0", 3, {"verdict": "infeasible"}, [], []),
     ("machine machine_wide_boxes/machine.toml", 3, {"verdict": "infeasible"}, ["No motions exist at 38 rpm: proved"], []),
     # The die alone: 60 rpm at 2.89424 m/s^2, thus 111.528 rpm at 10 m/s^2.
