@@ -242,12 +242,8 @@ double SplineCurve::derivative(double x, int order, Side side) const {
 
 Eigen::VectorXd SplineCurve::derivative_polynomial(int segment, int order) const {
     Eigen::VectorXd polynomial(std::max<Eigen::Index>(1, pieces_.rows() - order));
-    derivative_polynomial(segment, order, polynomial);
+    differentiate(pieces_.col(segment), order, polynomial);
     return polynomial;
-}
-
-void SplineCurve::derivative_polynomial(int segment, int order, Eigen::Ref<Eigen::VectorXd> out) const {
-    differentiate(pieces_.col(segment), order, out);
 }
 
 Eigen::VectorXd SplineCurve::coefficients() const {
@@ -328,7 +324,7 @@ Extremum peak_of(const SplineCurve& curve, int order) {
     LargestMagnitude largest(curve.space());
     Eigen::VectorXd polynomial(std::max(1, curve.degree() + 1 - order));
     for (int i = 0; i < curve.segments(); ++i) {
-        curve.derivative_polynomial(i, order, polynomial);
+        differentiate(curve.pieces().col(i), order, polynomial);
         largest.add(i, polynomial);
     }
     return largest.largest();

@@ -101,8 +101,6 @@ class SplineCurve final : public Motion {
     /// Coefficients (ascending powers of t) of the r-th derivative on segment i; degree − r + 1 of them, at
     /// least 1.
     [[nodiscard]] Eigen::VectorXd derivative_polynomial(int segment, int order) const;
-    /// The same into `out`, which has the right size.
-    void derivative_polynomial(int segment, int order, Eigen::Ref<Eigen::VectorXd> out) const;
 
     [[nodiscard]] std::vector<double> knots() const { return space_.knots(); }
     /// Control points over knots(), by the blossom of the local polynomial.
