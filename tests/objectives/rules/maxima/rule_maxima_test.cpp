@@ -166,7 +166,7 @@ class OutOfReach final : public PointRule {
 };
 
 /// y'' falls to 0.01, rises to a low top at 0.05, and falls: a cubic through samples sees none of it.
-TEST(RuleMaxima, OfLinearRulesOnSplinesAreExact) {
+TEST(RuleMaxima, OfLinearRulesAreExact) {
     Eigen::MatrixXd piece = Eigen::MatrixXd::Zero(6, 1);
     piece(3, 0) = -0.0005 / 6.0;
     piece(4, 0) = 0.03 / 12.0;
@@ -183,7 +183,7 @@ TEST(RuleMaxima, OfLinearRulesOnSplinesAreExact) {
     }
 }
 
-TEST(RuleMaxima, OfLinearRulesOnLawsAreEnclosed) {
+TEST(RuleMaxima, OfLinearRulesOnLaws) {
     for (const char* const name : {"modified_sine", "cycloidal", "modified_trapezoid"}) {
         const std::shared_ptr<const Law> law = make_law(name);
         const MotionChain motion({{0.0, 2.0, law, 0.0, 2.0, 0.0, 1.0}});
