@@ -81,7 +81,13 @@ void add_own_rules(CamModel& model, const Scene& scene) {
 }
 
 Extremum largest_of_own(const OwnTerm& term, const Motion& motion) {
-    Extremum largest = largest_of(rule_maxima(OwnPointRule(term, 0), motion, Eigen::VectorXd::Zero(1)));
+    const std::vector<Extremum> maxima = rule_maxima(OwnPointRule(term, 0), motion, Eigen::VectorXd::Zero(1));
+    Extremum largest = largest_of(maxima);
+    // Of equal peaks the first, as of those of the motion.
+    const auto first = std::ranges::find_if(maxima, [&](const Extremum& one) {
+        return one.value >= largest.value - same_peak * std::abs(largest.value);
+    });
+    if (first != maxima.end()) largest = {largest.value, first->at, first->side};  // else: undefined
     largest.value = std::max(0.0, term.reference * largest.value);
     return largest;
 }

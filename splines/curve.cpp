@@ -241,9 +241,7 @@ double SplineCurve::derivative(double x, int order, Side side) const {
 }
 
 Eigen::VectorXd SplineCurve::derivative_polynomial(int segment, int order) const {
-    Eigen::VectorXd polynomial(std::max<Eigen::Index>(1, pieces_.rows() - order));
-    differentiate(pieces_.col(segment), order, polynomial);
-    return polynomial;
+    return differentiated(pieces_.col(segment), order);
 }
 
 Eigen::VectorXd SplineCurve::coefficients() const {

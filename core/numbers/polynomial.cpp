@@ -50,10 +50,10 @@ double evaluate_polynomial(const Eigen::Ref<const Eigen::VectorXd>& coefficients
     return value;
 }
 
-Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients) {
-    Eigen::VectorXd slope(std::max<Eigen::Index>(1, coefficients.size() - 1));
-    differentiate(coefficients, 1, slope);
-    return slope;
+Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients, int order) {
+    Eigen::VectorXd derivative(std::max<Eigen::Index>(1, coefficients.size() - order));
+    differentiate(coefficients, order, derivative);
+    return derivative;
 }
 
 void differentiate(const Eigen::Ref<const Eigen::VectorXd>& coefficients, int order,

@@ -10,10 +10,11 @@ namespace camopt {
 
 [[nodiscard]] double evaluate_polynomial(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double t);
 
-/// p'; the zero polynomial for a constant.
-[[nodiscard]] Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients);
-
-/// The derivative of an order, in `out`: of that many coefficients less, at least 1.
+/// The derivative of an order: that many coefficients less, at least 1; the zero polynomial beyond the
+/// degree.
+[[nodiscard]] Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients,
+                                             int order = 1);
+/// The same into `out`, which has the right size.
 void differentiate(const Eigen::Ref<const Eigen::VectorXd>& coefficients, int order,
                    Eigen::Ref<Eigen::VectorXd> out);
 

@@ -37,10 +37,7 @@ class RuleOnPolynomial {
     [[nodiscard]] const Eigen::VectorXd& along(const Eigen::Ref<const Eigen::VectorXd>& y) {
         if (!affine_) {
             std::array<Eigen::VectorXd, 4> derivatives;
-            for (int order = 0; order < 4; ++order) {
-                derivatives[order].resize(terms(y, order));
-                differentiate(y, order, derivatives[order]);
-            }
+            for (int order = 0; order < 4; ++order) derivatives[order] = differentiated(y, order);
             return polynomial_ = rule_.along(derivatives, q_);
         }
         polynomial_.setZero(terms(y, lowest_));
