@@ -62,7 +62,7 @@ struct HeldStrokes {
     std::vector<StrokeDirection> directions = {};
 };
 
-/// The rules of motion.within_lift and motion.monotone, named by these keys.
+/// The rules of motion.within_lift and motion.monotone, named by these keys, and of MotionSpec::reach.
 void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& strokes);
 
 /// Sets model.entry_factors, so that each entry is of order one: y^{(r)} of a stroke of length β and

@@ -158,6 +158,8 @@ struct MotionSpec {
     bool symmetric = false;                ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
     bool within_lift = true;               ///< each stroke stays between its ends (objectives/strokes.hpp)
     bool monotone = false;                 ///< a rise only rises, a return only falls
+    /// Lifts that splines stay between, of the search alone: those of cams that can be built.
+    std::optional<std::array<double, 2>> reach = {};
     std::vector<SetPoint> via;
     std::vector<ProgramSegment> segments;  ///< program: from s = 0 at the start
     bool closed = true;                    ///< program: the angles add up to a turn, and it ends at s = 0

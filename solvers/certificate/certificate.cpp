@@ -80,6 +80,27 @@ bool bound_passes(double objective, double bound, double tolerance) {
     return bound > objective + tolerance * std::max(1.0, std::abs(objective));
 }
 
+void take_bound(Certificate& certificate, const Certificate& relaxed, double wanted_gap) {
+    certificate.lower_bound = std::min(*relaxed.lower_bound, certificate.objective);
+    certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+    certificate.proof_kind = relaxed.proof_kind;
+    certificate.proof = relaxed.proof;
+    certificate.cases = relaxed.cases;
+    certificate.box_proof = relaxed.box_proof;
+    if (*certificate.gap > wanted_gap) return;
+    certificate.verdict = Verdict::optimal;
+    certificate.reason = Reason::none;
+}
+
+void settle_by_relaxation(Certificate& certificate, const Certificate& relaxed, double wanted_gap) {
+    if (relative_gap(certificate.objective, *relaxed.lower_bound) <= wanted_gap)
+        return take_bound(certificate, relaxed, wanted_gap);
+    forget_proof(certificate);  // of rows that the scene does not have
+    if (certificate.verdict != Verdict::optimal) return;
+    certificate.verdict = Verdict::local;
+    certificate.reason = Reason::stationary;
+}
+
 double recomputed_bound(const DualityProof& proof) {
     const Eigen::Index variables = proof.cost.size();
     const Eigen::Index rows = proof.multipliers.size();

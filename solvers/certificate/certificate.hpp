@@ -201,7 +201,7 @@ void sharpen(DualityProof& proof, double target);
 [[nodiscard]] double stationarity_of(const Nlp& problem, const Eigen::VectorXd& x,
                                      const Eigen::VectorXd& row_multipliers, double active);
 
-// Removes the proof from a certificate. For the modules that verify results.
+// Removes the proof from a certificate, or puts another one there. For the modules that verify results.
 
 /// No bound, no gap, no proof: the proof belongs to another motion or problem.
 inline void forget_proof(Certificate& certificate) {
@@ -211,5 +211,11 @@ inline void forget_proof(Certificate& certificate) {
     certificate.box_proof.reset();
     certificate.proof_kind = ProofKind::none;
 }
+
+/// The bound of a relaxation and its proof, and the verdict that follows for the motion at hand.
+void take_bound(Certificate& certificate, const Certificate& relaxed, double wanted_gap);
+/// The same of a motion whose own proof rests on rows that the scene does not have. Boxes of a proof hold
+/// motions as good as its own: where the gap stays open, no bound is left.
+void settle_by_relaxation(Certificate& certificate, const Certificate& relaxed, double wanted_gap);
 
 }  // namespace camopt

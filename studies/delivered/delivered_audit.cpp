@@ -127,17 +127,27 @@ std::optional<Fault> condition_fault(const Solution& solution) {
                  "the delivered motion violates a condition: " + missed.front().condition};
 }
 
+/// Lifts.
+std::array<double, 2> range_of_motion(const Solution& solution) {
+    const FigureAlong displacement = [&](double x, Side side) {
+        return solution.motion->at(x, side).derivative[0];
+    };
+    const std::vector<double> breakpoints = solution.motion->breakpoints();
+    return {least_along(breakpoints, displacement).value, largest_along(breakpoints, displacement).value};
+}
+
+/// Of a follower between two lifts.
+std::string fault_of_cam(const Solution& solution, double least, double most) {
+    const DrivenMechanism& cam = solution.cam->cam;
+    const double lift = solution.scene.motion.lift;
+    return cam.formulas->fault(cam.dimensions, lift * least, lift * most);
+}
+
 /// A cam whose figures would have no value: the follower does not reach all of its motion.
 std::optional<Fault> cam_fault(const Solution& solution) {
     if (!solution.cam) return {};
-    const FigureAlong displacement = [&](double x, Side side) {
-        return solution.scene.motion.lift * solution.motion->at(x, side).derivative[0];
-    };
-    const std::vector<double> breakpoints = solution.motion->breakpoints();
-    const double least = least_along(breakpoints, displacement).value;
-    const double most = largest_along(breakpoints, displacement).value;
-    const DrivenMechanism& cam = solution.cam->cam;
-    const std::string fault = cam.formulas->fault(cam.dimensions, least, most);
+    const auto [least, most] = range_of_motion(solution);
+    const std::string fault = fault_of_cam(solution, least, most);
     if (fault.empty()) return {};
     return Fault{Reason::cam_cannot_be_built, "the cam of this motion cannot be built: " + fault};
 }
@@ -291,6 +301,19 @@ void audit_given(Solution& solution) {
 
 bool cam_can_be_built(const Solution& solution) {
     return !cam_fault(solution);
+}
+
+std::optional<std::array<double, 2>> buildable_reach(const Solution& solution) {
+    constexpr int bisections = 60;
+    constexpr double inside = 1.0 - 1e-6;  // at the very end it is a point
+    if (!solution.cam || !fault_of_cam(solution, 0.0, 0.0).empty()) return {};
+    const auto [least, most] = range_of_motion(solution);
+    std::array<double, 2> reach = {-infinity, infinity};
+    const auto falls_to = [&](double y) { return fault_of_cam(solution, y, 0.0).empty(); };
+    if (!falls_to(least)) reach[0] = inside * bisected(falls_to, {0.0, least}, bisections).with;
+    const auto rises_to = [&](double y) { return fault_of_cam(solution, 0.0, y).empty(); };
+    if (!rises_to(most)) reach[1] = inside * bisected(rises_to, {0.0, most}, bisections).with;
+    return reach;
 }
 
 void withdraw_motion(Solution& solution) {

@@ -35,6 +35,10 @@ inline constexpr double figure_rounding = 1e-8;
 /// The cam of a delivered motion has figures: its follower reaches all of the motion.
 [[nodiscard]] bool cam_can_be_built(const Solution& solution);
 
+/// Between which lifts motions leave a cam that can be built, where that of this one cannot be; infinite: a
+/// side that it does not leave. None: not even a follower at rest has a cam.
+[[nodiscard]] std::optional<std::array<double, 2>> buildable_reach(const Solution& solution);
+
 /// Of a failed audit: pieces that do not meet, or that their coefficients do not give back, are no one
 /// motion; no figure of them would be that of what is published, so nothing is delivered.
 [[nodiscard]] constexpr bool is_no_motion(Reason reason) {

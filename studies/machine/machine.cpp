@@ -4,6 +4,7 @@
 #include "scene/part_names.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 #include "studies/least/feasible_edge.hpp"
 #include "studies/least/monotone.hpp"
 #include "studies/machine/machine_build.hpp"
@@ -359,13 +360,22 @@ class MachineSearch {
 
     bool deliver(double speed, bool persistent) {
         ExchangeOptions exchange = machine_exchange(machine(), options_.max_seconds);
+        std::vector<Scene> scenes = scenes_at(machine(), speed);
+        const std::vector<std::string> notes = result_.notes;
+        std::optional<Certificate> any;  // of motions whose cams cannot be built too
         for (;;) {
-            PosedMachine posed = posed_machine(machine(), scenes_at(machine(), speed), memory_);
+            PosedMachine posed = posed_machine(machine(), scenes, memory_);
             JudgeOptions judge{exchange.tolerance, wanted_gap()};
             ContinuousResult found = least_total(*posed.problem, exchange, judge, control_, persistent);
             memory_.keep(*posed.problem);
             result_.speed = speed;
             result_.certificate = std::move(found.certificate);
+            if (found.x.size() == 0 && any) {
+                result_.certificate = {};
+                result_.certificate.verdict = Verdict::failed;
+                result_.certificate.reason = Reason::cam_cannot_be_built;
+                return true;
+            }
             if (found.x.size() == 0) {
                 if (machine().searches_speed()) return true;
                 if (result_.certificate.verdict == Verdict::infeasible) {
@@ -382,9 +392,32 @@ class MachineSearch {
                 if (machine().searches_speed()) return false;
                 continue;
             }
+            if (any) settle_by_relaxation(result_.certificate, *any, wanted_gap());
+            Certificate unaudited = result_.certificate;
             take_motions(posed, found.x);
-            return true;
+            const bool unbuilt = result_.certificate.reason == Reason::cam_cannot_be_built;
+            const bool tried_again = unbuilt && !machine().searches_speed() && unaudited.lower_bound &&
+                                     !control_.ending() && hold_reach(scenes);
+            if (!tried_again) return true;
+            if (!any) any = std::move(unaudited);
+            result_.notes = notes;
+            result_.notes.emplace_back(
+                "the first optimum leaves the range of a cam; these are the best motions whose cams can be "
+                "built");
         }
+    }
+
+    /// Axes whose cams cannot be built stay within their reach from now on. False: all do already.
+    bool hold_reach(std::vector<Scene>& scenes) {
+        bool fresh = false;
+        for (std::size_t b = 0; b < scenes.size(); ++b) {
+            if (!reach_[b] || scenes[b].motion.reach) continue;
+            scenes[b].motion.reach = reach_[b];
+            fresh = true;
+            if (b < memory_.axes.size()) memory_.axes[b].clear();  // its rules are others now
+        }
+        if (fresh) memory_.x = {};
+        return fresh;
     }
 
     [[nodiscard]] double wanted_gap() const {
@@ -396,21 +429,23 @@ class MachineSearch {
     void take_motions(PosedMachine& posed, const Eigen::VectorXd& x) {
         result_.axes.clear();
         result_.clearances.clear();
+        reach_.assign(machine().axes.size(), std::nullopt);
+        Reason failed = Reason::none;
         for (int b = 0; b < posed.problem->axes(); ++b) {
-            result_.axes.push_back(delivered_axis(posed, b, x));
-            if (result_.axes.back().certificate.verdict == Verdict::failed)
-                result_.notes.push_back(fmt::format("{}: {}",
-                                                    machine().axes[static_cast<std::size_t>(b)].name,
-                                                    result_.axes.back().notes.back()));
+            const auto at = static_cast<std::size_t>(b);
+            const Solution& axis = result_.axes.emplace_back(delivered_axis(posed, b, x));
+            if (axis.certificate.verdict != Verdict::failed) continue;
+            failed = axis.certificate.reason;
+            if (failed == Reason::cam_cannot_be_built) reach_[at] = buildable_reach(axis);
+            result_.notes.push_back(fmt::format("{}: {}", machine().axes[at].name, axis.notes.back()));
         }
-        const bool failed = std::ranges::any_of(
-            result_.axes, [](const Solution& axis) { return axis.certificate.verdict == Verdict::failed; });
-        if (failed) {  // no motion of a machine without the others
+        if (failed != Reason::none) {  // no motion of a machine without the others
             result_.certificate.verdict = Verdict::failed;
-            result_.certificate.reason = Reason::numerical_failure;
+            result_.certificate.reason = failed;
             result_.axes.clear();
             return;
         }
+        for (Solution& axis : result_.axes) axis.scene.motion.reach.reset();
         for (int k = 0; k < static_cast<int>(machine().clearances.size()); ++k) {
             Extremum worst = posed.problem->worst_of_clearance(k, x);
             worst.value *= -posed.problem->clearance_scale(k);
@@ -442,6 +477,8 @@ class MachineSearch {
     SolveControl control_;
     MachineMemory memory_;
     MachineSolution result_;
+    /// Of axes whose cam cannot be built: what it could (buildable_reach).
+    std::vector<std::optional<std::array<double, 2>>> reach_;
     bool decides_only_ = false;  ///< least violations are not asked for
 };
 

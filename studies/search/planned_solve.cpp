@@ -64,14 +64,37 @@ Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSol
     return solution;
 }
 
+/// The best motion whose cam can be built, with the bound of all motions.
+std::optional<Solution> buildable_optimum(const Scene& scene, const Solution& unbuilt,
+                                          const SolveControl& timed, const PlanOptions& options) {
+    if (scene.measured || scene.tolerance) return std::nullopt;
+    Scene held = scene;
+    held.motion.reach = buildable_reach(unbuilt);
+    if (!held.motion.reach || timed.ending()) return std::nullopt;
+    const Solution any = solve_planned(scene, timed, nullptr, options);
+    Solution found = solve_planned(held, timed, nullptr, options);
+    if (!found.motion || !any.certificate.lower_bound) return std::nullopt;
+    settle_by_relaxation(found.certificate, any.certificate, scene.solver.wanted_gap(found.solver.convex));
+    found.scene.motion.reach.reset();
+    found.solver.proof_source = any.solver.proof_source;
+    audit_delivered(found);
+    if (found.certificate.verdict == Verdict::failed) return std::nullopt;
+    found.family.reset();
+    found.notes.emplace_back(
+        "the first optimum leaves the range of the cam; this is the best motion whose cam can be built");
+    return found;
+}
+
 /// Another optimum than the one that was found may be deliverable. Where doubles do not represent that: the
 /// first, where conditions nearly contradict and the smoothest is none, or that of B-spline coefficients,
-/// which are smooth without conditions. Where its cam cannot be built: the smoothest.
+/// which are smooth without conditions. Those may also settle what the states do not. Where its cam cannot be
+/// built: the smoothest, or the best within the range of the cam.
 std::optional<Solution> deliverable_optimum(const Scene& scene, const Solution& solution,
                                             const SolveControl& timed, bool explain) {
     const bool tied = scene.objective.tie_break != TieBreak::none;
-    const bool unbuilt = solution.certificate.reason == Reason::cam_cannot_be_built && !tied;
-    if (!unbuilt && !is_no_motion(solution.certificate.reason)) return std::nullopt;
+    const bool unbuilt = solution.certificate.reason == Reason::cam_cannot_be_built;
+    const bool unproved = solution.certificate.reason == Reason::no_feasible_point && solution.plan->convex;
+    if (!unbuilt && !unproved && !is_no_motion(solution.certificate.reason)) return std::nullopt;
     Scene other = scene;
     const auto solved = [&](const char* note) -> std::optional<Solution> {
         if (timed.ending()) return std::nullopt;
@@ -84,22 +107,28 @@ std::optional<Solution> deliverable_optimum(const Scene& scene, const Solution& 
     };
     if (unbuilt) {
         other.objective.tie_break = TieBreak::rms_jerk;
-        return solved(
-            "tie-break by jerk: the first optimum leaves the range of the cam; this is the smoothest");
+        if (!tied)
+            if (auto found =
+                    solved("tie-break by jerk: the first optimum leaves the range of the cam; this is "
+                           "the smoothest"))
+                return found;
+        return buildable_optimum(scene, solution, timed, {.explain = explain});
     }
-    if (tied) {
+    if (tied && !unproved) {
         other.objective.tie_break = TieBreak::none;
         if (auto found =
                 solved("no tie-break: double precision cannot represent the smoothest of the optima; "
                        "this is another optimum"))
             return found;
     }
-    if (scene.spline.design != DesignKind::automatic || solution.design.kind != DesignKind::states)
+    if (scene.spline.design != DesignKind::automatic || solution.plan->design != DesignKind::states)
         return std::nullopt;
     other.spline.design = DesignKind::coefficients;
     return solved(
-        "double precision cannot represent what was found for the states at the breakpoints; this "
-        "was found for B-spline coefficients");
+        unproved ? "for the states at the breakpoints neither a motion nor a proof that there is none was "
+                   "found; this was found for B-spline coefficients"
+                 : "double precision cannot represent what was found for the states at the "
+                   "breakpoints; this was found for B-spline coefficients");
 }
 
 /// What the clock ended depends on the machine: that must be told.

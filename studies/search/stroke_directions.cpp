@@ -184,16 +184,8 @@ void take_bound_of_relaxation(Solution& held, const Solution& relaxed) {
     const bool delivered = held.motion && certificate.verdict != Verdict::failed;
     if (!delivered || !other.lower_bound) return;
     if (certificate.lower_bound && *certificate.lower_bound >= *other.lower_bound) return;
-    certificate.lower_bound = std::min(*other.lower_bound, certificate.objective);
-    certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
-    certificate.proof_kind = other.proof_kind;
-    certificate.proof = other.proof;
-    certificate.cases = other.cases;
-    certificate.box_proof = other.box_proof;
+    take_bound(certificate, other, held.scene.solver.wanted_gap(held.solver.convex));
     held.solver.proof_source = relaxed.solver.proof_source;
-    if (*certificate.gap > held.scene.solver.wanted_gap(held.solver.convex)) return;
-    certificate.verdict = Verdict::optimal;
-    certificate.reason = Reason::none;
 }
 
 }  // namespace camopt

@@ -10,7 +10,7 @@ namespace {
 
 // Weights of the energy, tried until the objective stays within the tolerance of its optimum. Measured:
 // larger ones than the first cost too much at n = 256 and 1024 and where a pressure angle is limited.
-constexpr std::array<double, 2> tie_break_weights = {1e-6, 1e-7};
+constexpr std::array<double, 4> tie_break_weights = {1e-6, 1e-7, 1e-8, 1e-9};
 // The tie-break must be solved more exactly than the tolerance it may spend.
 constexpr double tie_break_accuracy = 0.1;
 
