@@ -13,6 +13,14 @@ struct JudgedPoint {
     double slack = 0.0;  ///< >= its violation
 };
 
+/// Of one solve for its multipliers.
+BackendOptions solved_once(const ExchangeOptions& exchange) {
+    BackendOptions options;
+    options.tolerance = exchange.backend.tolerance;
+    options.max_seconds = exchange.backend.max_seconds;
+    return options;
+}
+
 /// A proof that no point that satisfies the limits to within `slack` has less than proof.bound, which is at
 /// most the objective (to round-off). On the problem's current grid, by the structured solver; convex
 /// problems only. Nullopt if no finite bound is found.
@@ -77,9 +85,7 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     if (is_closed(result.certificate, judge) || !problem.grid().shape().convex || control.ending()) return;
     if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
     // The grid of another backend's last round is a relaxation too: its dual is a bound for all curves.
-    BackendOptions options;
-    options.tolerance = exchange.backend.tolerance;
-    options.max_seconds = exchange.backend.max_seconds;
+    const BackendOptions options = solved_once(exchange);
     const BackendResult dual = make_structured_solver()->minimize(problem.grid(), result.x, options, control);
     if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, dual.x, "structured");
 }
@@ -210,9 +216,7 @@ void settle_passed_bound(ContinuousResult& result, ContinuousProblem& problem,
     forget_proof(certificate);
     result.proof_source.clear();
     if (!(certificate.worst_violation <= judge.tolerance)) return;  // nothing is delivered
-    BackendOptions options;
-    options.tolerance = exchange.backend.tolerance;
-    options.max_seconds = exchange.backend.max_seconds;
+    const BackendOptions options = solved_once(exchange);
     const double least = std::max(rounding_of_limits, 2.0 * certificate.worst_violation);
     for (const double slack : {least, std::max(judge.tolerance, least)}) {
         std::optional<DualityProof> proof =
@@ -297,6 +301,22 @@ void hold_limits(ContinuousResult& result, ContinuousProblem& problem, const Sol
     if (holds && is_closed(held.certificate, judge)) result = std::move(held);
 }
 
+/// A point that still violates limits may be below every one that does not, and a proof whose bound is its
+/// objective says nothing of that. Where the violation is worth more than rounding, the bound is that of all
+/// points that violate the limits as much.
+void admit_violation(ContinuousResult& result, ContinuousProblem& problem, const ExchangeOptions& exchange,
+                     const JudgeOptions& judge, const SolveControl& control) {
+    constexpr double room = 2.0, worthless = 5e-9;
+    Certificate& certificate = result.certificate;
+    const bool counts = certificate.worst_violation > 0.0 && is_closed(certificate, judge);
+    if (!counts || !problem.convex(certificate.objective) || control.ending()) return;
+    const JudgedPoint point{result.x, certificate.objective, room * certificate.worst_violation};
+    std::optional<DualityProof> proof = relaxed_proof(problem, point, solved_once(exchange), control);
+    if (proof && relative_gap(point.objective, proof->bound) <= worthless) return;
+    forget_proof(certificate);
+    if (proof) adopt(result, std::move(*proof), "structured, limits relaxed");
+}
+
 /// From the first point by exchange; repaired, proved and judged.
 ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, const FirstPoint& first,
                           const ExchangeOptions& exchange, const JudgeOptions& judge,
@@ -319,6 +339,7 @@ ContinuousResult searched(ContinuousProblem& problem, const Solver& solver, cons
         sharpen_proof(result, judge);
         use_tolerance(result, problem, points.found, exchange, judge, control);
         hold_limits(result, problem, solver, exchange, judge, control, first.inside);
+        admit_violation(result, problem, exchange, judge, control);
         const bool had_bound = result.certificate.lower_bound.has_value();
         settle_passed_bound(result, problem, exchange, judge, control);
         no_room = had_bound && !result.certificate.lower_bound;

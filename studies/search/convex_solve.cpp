@@ -24,8 +24,10 @@ bool keep_better(ContinuousResult& result, ContinuousResult other, const JudgeOp
     const bool takes = is_better(other.certificate, result.certificate, judge.gap);
     if (takes) std::swap(result, other);
     Certificate& kept = result.certificate;
-    Certificate& left = other.certificate;  // its bound is one for all motions that are no worse than its own
-    if (is_proved(kept) || result.x.size() == 0 || !left.proof || is_relaxed(left) ||
+    // Its bound is one for all motions that are no worse than its own, and says nothing of one that is better
+    // since it violates limits.
+    Certificate& left = other.certificate;
+    if (is_proved(kept) || result.x.size() == 0 || !left.proof || is_relaxed(left) || is_relaxed(kept) ||
         left.lower_bound <= kept.lower_bound ||
         bound_passes(kept.objective, *left.lower_bound, judge.tolerance) ||
         !(kept.objective <= left.objective))
@@ -81,6 +83,8 @@ bool is_better(const Certificate& one, const Certificate& two, double gap) {
     const bool moves = has_feasible_motion(one.verdict), other_moves = has_feasible_motion(two.verdict);
     if (!moves || !other_moves) return moves || (!other_moves && is_proved(one) && !is_proved(two));
     if (is_proved(one)) return true;
+    // What violates limits is below what does not, and no better for that.
+    if (is_relaxed(one) != is_relaxed(two)) return one.gap.value_or(infinity) < two.gap.value_or(infinity);
     const double less = two.objective - one.objective;
     const bool equal = std::abs(less) <= gap * std::max(1.0, std::abs(one.objective));
     return equal ? one.verdict < two.verdict : less > 0.0;

@@ -85,16 +85,20 @@ std::optional<Solution> buildable_optimum(const Scene& scene, const Solution& un
     return found;
 }
 
+/// Whether no design vector was asked for, and another than that of the solution is left.
+bool may_take_coefficients(const Scene& scene, const Solution& solution) {
+    return scene.spline.design == DesignKind::automatic && solution.plan->design == DesignKind::states;
+}
+
 /// Another optimum than the one that was found may be deliverable. Where doubles do not represent that: the
 /// first, where conditions nearly contradict and the smoothest is none, or that of B-spline coefficients,
-/// which are smooth without conditions. Those may also settle what the states do not. Where its cam cannot be
-/// built: the smoothest, or the best within the range of the cam.
+/// which are smooth without conditions. Where its cam cannot be built: the smoothest, or the best within the
+/// range of the cam.
 std::optional<Solution> deliverable_optimum(const Scene& scene, const Solution& solution,
                                             const SolveControl& timed, bool explain) {
     const bool tied = scene.objective.tie_break != TieBreak::none;
     const bool unbuilt = solution.certificate.reason == Reason::cam_cannot_be_built;
-    const bool unproved = solution.certificate.reason == Reason::no_feasible_point && solution.plan->convex;
-    if (!unbuilt && !unproved && !is_no_motion(solution.certificate.reason)) return std::nullopt;
+    if (!unbuilt && !is_no_motion(solution.certificate.reason)) return std::nullopt;
     Scene other = scene;
     const auto solved = [&](const char* note) -> std::optional<Solution> {
         if (timed.ending()) return std::nullopt;
@@ -114,21 +118,39 @@ std::optional<Solution> deliverable_optimum(const Scene& scene, const Solution& 
                 return found;
         return buildable_optimum(scene, solution, timed, {.explain = explain});
     }
-    if (tied && !unproved) {
+    if (tied) {
         other.objective.tie_break = TieBreak::none;
         if (auto found =
                 solved("no tie-break: double precision cannot represent the smoothest of the optima; "
                        "this is another optimum"))
             return found;
     }
-    if (scene.spline.design != DesignKind::automatic || solution.plan->design != DesignKind::states)
-        return std::nullopt;
+    if (!may_take_coefficients(scene, solution)) return std::nullopt;
     other.spline.design = DesignKind::coefficients;
     return solved(
-        unproved ? "for the states at the breakpoints neither a motion nor a proof that there is none was "
-                   "found; this was found for B-spline coefficients"
-                 : "double precision cannot represent what was found for the states at the "
-                   "breakpoints; this was found for B-spline coefficients");
+        "double precision cannot represent what was found for the states at the breakpoints; this was found "
+        "for B-spline coefficients");
+}
+
+/// What the states at the breakpoints leave undecided, or a violation that is worth something, may be settled
+/// for B-spline coefficients, whose boxes and rows have other numbers. In twice the time of the first.
+std::optional<Solution> settled_by_coefficients(const Scene& scene, const Solution& solution, double seconds,
+                                                const SolveControl& timed, const PlanOptions& options) {
+    constexpr double least = 1.0, times = 2.0;  // seconds
+    const Certificate& certificate = solution.certificate;
+    const bool settled = is_proved(certificate) || certificate.reason == Reason::given_cam ||
+                         certificate.reason == Reason::unbounded;
+    if (settled || options.look || timed.ending() || !solution.plan || !solution.plan->convex ||
+        !may_take_coefficients(scene, solution))
+        return std::nullopt;
+    Scene other = scene;
+    other.spline.design = DesignKind::coefficients;
+    Solution found = solve_and_audit(other, timed.sooner(std::max(least, times * seconds)), nullptr, options);
+    if (!is_proved(found.certificate)) return std::nullopt;
+    found.scene.spline.design = scene.spline.design;
+    found.notes.emplace_back(
+        "the states at the breakpoints leave this scene undecided; it was settled for B-spline coefficients");
+    return found;
 }
 
 /// What the clock ended depends on the machine: that must be told.
@@ -227,8 +249,11 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
         }
     }
     const SolveControl timed = control.sooner(scene.solver.max_seconds);
+    const Stopwatch watch;
     Solution solution = solve_and_audit(scene, timed, known, options);
-    if (std::optional<Solution> other = deliverable_optimum(scene, solution, timed, options.explain)) {
+    std::optional<Solution> other = deliverable_optimum(scene, solution, timed, options.explain);
+    if (!other) other = settled_by_coefficients(scene, solution, watch.seconds(), timed, options);
+    if (other) {
         solution = std::move(*other);
         if (known != nullptr) known->optima.withdraw();
     }
