@@ -71,8 +71,6 @@ void describe(CLI::App& program, const Commands& commands) {
     program.set_version_flag("--version", version_text());
     program.footer(
         fmt::format("Examples:\n{}\n{}{}", commands.examples(), exit_codes, left_out("Note: ", ".\n")));
-    program.allow_windows_style_options(
-        false);  // words are the same on every system; a path may begin with /
     program.require_subcommand(1);
     for (CLI::App* const command : program.get_subcommands([](const CLI::App*) { return true; }))
         if (command->get_footer().empty())
@@ -80,6 +78,9 @@ void describe(CLI::App& program, const Commands& commands) {
 }
 
 ExitCode parse_and_run(CLI::App& program, Commands& commands, int count, const char* const* words) {
+    // Words are the same on every system, and a path may begin with /; commands take this over when they are
+    // added.
+    program.allow_windows_style_options(false);
     for (const auto add_group : program_parts().groups) add_group(commands);
     describe(program, commands);
     if (const auto* const text = count > 1 ? commands.hidden(words[1]) : nullptr) {

@@ -80,6 +80,9 @@ def check_numbers(wine, linux, faults):
             folder = wine.work / kind / name
             run("solve", str(scene), "--solver", "structured", "--out", str(folder))
             found.append(json.loads((folder / "result.json").read_text()) if (folder / "result.json").exists() else {})
+        if not all(found):
+            faults.demand(f"{name}: solved on Windows and on Linux", False, [bool(one) for one in found])
+            continue
         difference, allowed, remark = judged(*found)
         said = "none" if difference is None else f"{difference:.1e}, allowed {allowed:.1e}"
         faults.demand(f"{name}: verdict and objective as on Linux (difference {said})", not remark.startswith("FAILED"), remark)

@@ -45,6 +45,21 @@ TEST(UnbuildableCam, IsNoOptimum) {
     }
 }
 
+TEST(UnbuildableCam, GivesWayToBestWithinReach) {
+    const TestScene scene = scene_named("cam_out_of_reach");
+    const Solution equal = solve_without_explaining(scene, {});
+    EXPECT_EQ(equal.certificate.verdict, Verdict::optimal);
+    EXPECT_TRUE(equal.certificate.proof);
+    EXPECT_EQ(fault_of(equal), "");
+    // Here the reach costs something, and what the proof of all motions says is no bound of these.
+    const Solution dearer =
+        solve_without_explaining(scene.with("objective.velocity = 0", "objective.acceleration = 1"), {});
+    EXPECT_EQ(dearer.certificate.verdict, Verdict::local);
+    EXPECT_FALSE(dearer.certificate.lower_bound || dearer.certificate.proof);
+    EXPECT_EQ(fault_of(dearer), "");
+    EXPECT_FALSE(dearer.scene.motion.reach);
+}
+
 TEST(UnbuildableCam, VoidsVerdictOfLastLook) {
     Solution solution = solve_without_explaining(pressure_angle_scene(60.0, 12), {});
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
