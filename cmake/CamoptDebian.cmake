@@ -6,7 +6,7 @@ if(CAMOPT_GPL)
   message(FATAL_ERROR "camopt: Debian packages are distributed: CAMOPT_DEBIAN=ON needs CAMOPT_GPL=OFF (preset debian)")
 endif()
 if(BUILD_SHARED_LIBS OR NOT CAMOPT_C OR NOT CAMOPT_HAVE_PYTHON OR NOT TARGET camopt
-   OR NOT CAMOPT_OPENED_PARTS STREQUAL "ipopt;pdf;http;step")
+   OR NOT CAMOPT_OPENED_PARTS STREQUAL "ipopt;http;pdf;step")
   message(FATAL_ERROR "camopt: CAMOPT_DEBIAN=ON needs the program, the C library, the Python package, static libraries and every part (preset debian)")
 endif()
 # Debian demands "Name <address>" with a host that has a dot. camopt has no address: its maintainers are reached as SECURITY.md and

@@ -86,11 +86,12 @@ def check_numbers(wine, linux, faults):
         difference, allowed, remark = judged(*found)
         said = "none" if difference is None else f"{difference:.1e}, allowed {allowed:.1e}"
         faults.demand(f"{name}: verdict and objective as on Linux (difference {said})", not remark.startswith("FAILED"), remark)
-        if all(found[1]["solver"][key] == found[0]["solver"][key] for key in ("iterations", "native_status")):
+        one, other = ([run["solver"]["iterations"], run["solver"]["native_status"], run["evaluations"]] for run in found)
+        if one == other:
             difference, where = largest_difference(*found)
             faults.demand(f"{name}: result.json as on Linux (largest difference {difference:.1e})", difference < 1e-9, where)
         else:  # round-off has led the search elsewhere, within its gap
-            print(f"{name}: {found[0]['solver']['iterations']} iterations, on Linux {found[1]['solver']['iterations']}")
+            print(f"{name}: iterations, status and evaluations {one}, on Linux {other}")
         names = [sorted(path.name for path in (wine.work / kind / name).glob("*")) for kind in ("windows", "linux")]
         faults.demand(f"{name}: the same files", names[0] == names[1], names)
 
