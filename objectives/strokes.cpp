@@ -276,14 +276,11 @@ void hold_displacement(CamModel& model, const std::vector<StrokeRange>& strokes)
 /// MotionSpec::reach along every spline.
 void add_reach_rules(CamModel& model, const std::array<double, 2>& reach) {
     for (int i = 0; i < static_cast<int>(model.design.own_stretches().size()); ++i) {
-        const MotionFamily::Stretch& stretch = model.design.own_stretches()[i];
-        if (stretch.kind != StretchRequest::Kind::spline) continue;
+        if (model.design.own_stretches()[i].kind != StretchRequest::Kind::spline) continue;
         for (const int sign : {-1, 1}) {
             LinearBound bound{"cam", 0, sign, sign * reach[sign < 0 ? 0 : 1], 1.0};
             if (!std::isfinite(bound.bound)) continue;
             bound.stretch = i;
-            bound.begin = stretch.begin;
-            bound.end = stretch.end;
             bound.starts_without_rows = true;
             model.rules.push_back(bound.rule());
         }

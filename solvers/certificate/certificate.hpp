@@ -212,7 +212,7 @@ inline void forget_proof(Certificate& certificate) {
     certificate.proof_kind = ProofKind::none;
 }
 
-/// The bound of a relaxation and its proof, and the verdict that follows for the motion at hand.
+/// The bound of a relaxation and its proof, and the verdict that follows.
 void take_bound(Certificate& certificate, const Certificate& relaxed, double wanted_gap);
 /// The same of a motion whose own proof rests on rows that the scene does not have. Boxes of a proof hold
 /// motions as good as its own: where the gap stays open, no bound is left.

@@ -370,21 +370,11 @@ class MachineSearch {
             memory_.keep(*posed.problem);
             result_.speed = speed;
             result_.certificate = std::move(found.certificate);
-            if (found.x.size() == 0 && any) {
-                result_.certificate = {};
-                result_.certificate.verdict = Verdict::failed;
-                result_.certificate.reason = Reason::cam_cannot_be_built;
-                return true;
-            }
             if (found.x.size() == 0) {
-                if (machine().searches_speed()) return true;
-                if (result_.certificate.verdict == Verdict::infeasible) {
-                    Trial least;
-                    least.speed = speed;
-                    least.violation = result_.certificate.worst_violation;
-                    least.proof = result_.certificate.proof;
-                    report_infeasible(least);
-                }
+                if (any)
+                    report_no_buildable_motions();
+                else
+                    report_no_motions(speed);
                 return true;
             }
             if (hold_strokes(posed, found.x, memory_)) {
@@ -398,13 +388,36 @@ class MachineSearch {
             const bool unbuilt = result_.certificate.reason == Reason::cam_cannot_be_built;
             const bool tried_again = unbuilt && !machine().searches_speed() && unaudited.lower_bound &&
                                      !control_.ending() && hold_reach(scenes);
-            if (!tried_again) return true;
-            if (!any) any = std::move(unaudited);
-            result_.notes = notes;
-            result_.notes.emplace_back(
-                "the first optimum leaves the range of a cam; these are the best motions whose cams can be "
-                "built");
+            if (tried_again) {
+                if (!any) any = std::move(unaudited);
+                continue;
+            }
+            if (any && result_.certificate.verdict != Verdict::failed) {
+                result_.notes = notes;  // the others are of the motions before
+                result_.notes.emplace_back(
+                    "the first optimum leaves the range of a cam; these are the best motions whose cams can "
+                    "be built");
+            }
+            return true;
         }
+    }
+
+    /// Within the reach of the cams there are none, or none were found; of the scenes as given nothing is
+    /// proved.
+    void report_no_buildable_motions() {
+        result_.certificate = {};
+        result_.certificate.verdict = Verdict::failed;
+        result_.certificate.reason = Reason::cam_cannot_be_built;
+    }
+
+    void report_no_motions(double speed) {
+        const Certificate& certificate = result_.certificate;
+        if (machine().searches_speed() || certificate.verdict != Verdict::infeasible) return;
+        Trial least;
+        least.speed = speed;
+        least.violation = certificate.worst_violation;
+        least.proof = certificate.proof;
+        report_infeasible(least);
     }
 
     /// Axes whose cams cannot be built stay within their reach from now on. False: all do already.

@@ -71,6 +71,7 @@ std::optional<Solution> buildable_optimum(const Scene& scene, const Solution& un
     Scene held = scene;
     held.motion.reach = buildable_reach(unbuilt);
     if (!held.motion.reach || timed.ending()) return std::nullopt;
+    // Solved again for its bound, which a failed audit has dropped; copies for every audit would cost more.
     const Solution any = solve_planned(scene, timed, nullptr, options);
     Solution found = solve_planned(held, timed, nullptr, options);
     if (!found.motion || !any.certificate.lower_bound) return std::nullopt;
@@ -133,19 +134,21 @@ std::optional<Solution> deliverable_optimum(const Scene& scene, const Solution& 
 }
 
 /// What the states at the breakpoints leave undecided, or a violation that is worth something, may be settled
-/// for B-spline coefficients, whose boxes and rows have other numbers. In twice the time of the first.
+/// for B-spline coefficients, whose boxes and rows have other numbers. In twice the time of the first, or a
+/// second. What doubles do not represent was tried with them before (deliverable_optimum).
 std::optional<Solution> settled_by_coefficients(const Scene& scene, const Solution& solution, double seconds,
                                                 const SolveControl& timed, const PlanOptions& options) {
-    constexpr double least = 1.0, times = 2.0;  // seconds
+    constexpr double least_seconds = 1.0, times_as_long = 2.0;
     const Certificate& certificate = solution.certificate;
     const bool settled = is_proved(certificate) || certificate.reason == Reason::given_cam ||
-                         certificate.reason == Reason::unbounded;
+                         certificate.reason == Reason::unbounded || is_no_motion(certificate.reason);
     if (settled || options.look || timed.ending() || !solution.plan || !solution.plan->convex ||
         !may_take_coefficients(scene, solution))
         return std::nullopt;
     Scene other = scene;
     other.spline.design = DesignKind::coefficients;
-    Solution found = solve_and_audit(other, timed.sooner(std::max(least, times * seconds)), nullptr, options);
+    Solution found = solve_and_audit(other, timed.sooner(std::max(least_seconds, times_as_long * seconds)),
+                                     nullptr, options);
     if (!is_proved(found.certificate)) return std::nullopt;
     found.scene.spline.design = scene.spline.design;
     found.notes.emplace_back(
